@@ -8,8 +8,8 @@
 #include "daemon/api/fault_text.h"
 #include "daemon/api/pose_routes.h"
 #include "daemon/api/route_handlers.h"
-#include "daemon/config/config_error.h"
 #include "daemon/http/problem.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/poses/small_json.h"
 #include "sim/text/quote.h"
 
@@ -41,7 +41,7 @@ sim::Expected<ScenarioRequest> parse_request(const std::string& body) {
     return request;
 }
 
-HttpResponse refused(const std::string& name, const ConfigError& error) {
+HttpResponse refused(const std::string& name, const sim::LoadError& error) {
     return problem(400, sim::printable(name) + " is no scenario that can run", "yaml",
                    error.faults());
 }
@@ -54,7 +54,7 @@ void put_scenario(Call&& call) {
     FaultsApi& faults = call.api.faults();
     try {
         faults.run(parse_scenario(request->yaml, request->name, faults.scanners()));
-    } catch (const ConfigError& error) {
+    } catch (const sim::LoadError& error) {
         return call.respond(refused(request->name, error));
     }
     call.respond(ok(scenario_document(faults.scenario().value())));

@@ -47,13 +47,13 @@ bool exclude_each_other(const Address& one, const Address& other) {
     return one.port == other.port && (has(first, second) || has(second, first));
 }
 
-void Claims::claim(const Field* field, const std::string& what) {
+void Claims::claim(const sim::YamlField* field, const std::string& what) {
     if (!field) return;
     const auto [owner, is_new] = owner_of_.emplace(what, field->path);
     if (!is_new) faults_.add(*field, what + " is taken by " + owner->second + "; use another");
 }
 
-void Claims::claim_file(const Field* field, const fs::path& file) {
+void Claims::claim_file(const sim::YamlField* field, const fs::path& file) {
     if (!field) return;
     const std::string path = real_path(file);
     const auto in_its_way = std::ranges::find_if(files_, [&](const auto& other) {
@@ -73,7 +73,8 @@ void Claims::claim_file(const std::string& owner, const fs::path& file) {
     owner_of_.emplace(path, owner);
 }
 
-void Claims::claim(const Field* field, Transport transport, const std::optional<Address>& address) {
+void Claims::claim(const sim::YamlField* field, Transport transport,
+                   const std::optional<Address>& address) {
     if (!field || !address || address->port == 0) return;
     auto& taken = taken_[{transport, address->port}];
     const auto other = std::ranges::find_if(

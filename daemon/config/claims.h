@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "daemon/config/address.h"
-#include "daemon/config/section.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
@@ -27,16 +27,17 @@ bool exclude_each_other(const Address& one, const Address& other);
 
 class Claims {
   public:
-    explicit Claims(Faults& faults) : faults_(faults) {}
+    explicit Claims(sim::YamlFaults& faults) : faults_(faults) {}
 
     /// `field` claims this; null claims nothing.
-    void claim(const Field* field, const std::string& what);
+    void claim(const sim::YamlField* field, const std::string& what);
     /// `field` claims this file, however the path is spelt.
-    void claim_file(const Field* field, const std::filesystem::path& file);
+    void claim_file(const sim::YamlField* field, const std::filesystem::path& file);
     /// `owner` claims this file, although its key may be left out.
     void claim_file(const std::string& owner, const std::filesystem::path& file);
     /// `field` claims this address. Port 0, where the system chooses one, claims nothing.
-    void claim(const Field* field, Transport transport, const std::optional<Address>& address);
+    void claim(const sim::YamlField* field, Transport transport,
+               const std::optional<Address>& address);
 
   private:
     struct Taken {
@@ -44,7 +45,7 @@ class Claims {
         std::string owner;
     };
 
-    Faults& faults_;
+    sim::YamlFaults& faults_;
     std::map<std::string, std::string> owner_of_;
     std::map<std::string, std::string> files_;  ///< the files among them, and who owns each
     std::map<std::pair<Transport, std::uint16_t>, std::vector<Taken>> taken_;

@@ -20,13 +20,13 @@
 #include "daemon/config/models.h"
 #include "daemon/config/poses.h"
 #include "daemon/config/run_directory.h"
-#include "daemon/config/section.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
 #include "daemon/config/world_options.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/scene_file.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 namespace {
@@ -42,14 +42,14 @@ constexpr std::array<std::string_view, 16> root_keys{
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// Whether there is no such map or nothing in it. A value that is no map is told elsewhere.
-bool is_empty(const Field* map) {
+bool is_empty(const sim::YamlField* map) {
     return !map || (map->value.IsMap() && map->value.size() == 0);
 }
 
 /// Reads one document, and remembers who has what cannot be shared.
 class Reader {
   public:
-    Reader(const fs::path& file, Faults& faults)
+    Reader(const fs::path& file, sim::YamlFaults& faults)
         : base_(fs::absolute(file).parent_path()), faults_(faults), claims_(faults) {
         claims_.claim_file("this configuration", fs::absolute(file));
     }
@@ -57,10 +57,10 @@ class Reader {
     Config read(const YAML::Node& document);
 
   private:
-    RobotConfig read_robot(const Field& field, SensorContext& context);
-    void claim_sockets(const Section& section, const Config& config);
+    RobotConfig read_robot(const sim::YamlField& field, SensorContext& context);
+    void claim_sockets(const sim::YamlSection& section, const Config& config);
     /// Notes where these keys of the section stand.
-    void note_places(const Section& section, std::initializer_list<std::string_view> keys);
+    void note_places(const sim::YamlSection& section, std::initializer_list<std::string_view> keys);
 
     /// A parser of paths that are relative to the file.
     template <class Parse>
@@ -69,15 +69,15 @@ class Reader {
     }
 
     fs::path base_;
-    Faults& faults_;
+    sim::YamlFaults& faults_;
     Claims claims_;
     std::map<std::string, std::string> places_;
     std::size_t sensor_count_ = 0;
-    std::optional<Field> needs_fleet_;  ///< poses that come by its broker
+    std::optional<sim::YamlField> needs_fleet_;  ///< poses that come by its broker
 };
 
-RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
-    const Section section{field, robot_keys, faults_};
+RobotConfig Reader::read_robot(const sim::YamlField& field, SensorContext& context) {
+    const sim::YamlSection section{field, robot_keys, faults_};
     RobotConfig robot;
     faults_.take(field, parse_name(field.key), robot.name);
     context.robot = robot.name;
@@ -85,8 +85,8 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
     robot.world_from_robot = read_pose(section, "pose", faults_);
     robot.pose_given = section.find("pose") != nullptr;
     section.read("body", robot.body);
-    const Field* sensors = section.find("sensors");
-    const auto fields = sensors ? entries(*sensors, faults_) : std::vector<Field>{};
+    const sim::YamlField* sensors = section.find("sensors");
+    const auto fields = sensors ? entries(*sensors, faults_) : std::vector<sim::YamlField>{};
     sensor_count_ += fields.size();
     if (sensor_count_ > most_sensors) {
         faults_.add(field, "more than 4096 sensors in all; split them over several daemons");
@@ -95,30 +95,31 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
     if (is_empty(sensors)) {
         faults_.add(field, "needs at least one sensor, under sensors");
     }
-    for (const Field& sensor : fields)
+    for (const sim::YamlField& sensor : fields)
         robot.sensors.push_back(read_sensor(sensor, context));
-    if (const Field* poses = section.find("poses"))
+    if (const sim::YamlField* poses = section.find("poses"))
         read_poses(*poses, robot, base_, claims_, faults_);
     if (robot.poses && robot.poses->kind == PoseSource::Kind::vda5050)
         needs_fleet_ = *section.find("poses");
     return robot;
 }
 
-void Reader::claim_sockets(const Section& section, const Config& config) {
+void Reader::claim_sockets(const sim::YamlSection& section, const Config& config) {
     claims_.claim(section.find("http"), Transport::tcp, config.http);
     claims_.claim_file("control", config.control.empty() ? usual_control_socket() : config.control);
 }
 
-void Reader::note_places(const Section& section, std::initializer_list<std::string_view> keys) {
+void Reader::note_places(const sim::YamlSection& section,
+                         std::initializer_list<std::string_view> keys) {
     for (const std::string_view key : keys) {
-        const Field* const field = section.find(key);
+        const sim::YamlField* const field = section.find(key);
         if (field) places_[field->path] = faults_.place(field->line, field->path);
     }
 }
 
 Config Reader::read(const YAML::Node& document) {
-    const Field whole{{}, {}, 1, document};
-    const Section section{whole, root_keys, faults_};
+    const sim::YamlField whole{{}, {}, 1, document};
+    const sim::YamlSection section{whole, root_keys, faults_};
     Config config;
     if (section.find("scene")) {
         section.read("scene", config.scene, from_base(parse_scene));
@@ -127,31 +128,35 @@ Config Reader::read(const YAML::Node& document) {
     }
     section.read("geometry", config.geometry, parse_geometry);
     section.read("strict", config.strict, parse_switch);
-    if (const Field* map = section.find("map")) config.map = read_map(*map, faults_);
+    if (const sim::YamlField* map = section.find("map")) config.map = read_map(*map, faults_);
     section.read("materials", config.materials, from_base(parse_file));
-    if (const Field* media = section.find("media")) config.media = read_media(*media, faults_);
+    if (const sim::YamlField* media = section.find("media"))
+        config.media = read_media(*media, faults_);
     section.read("scenario", config.scenario, from_base(parse_file));
-    if (const Field* limits = section.find("limits")) read_limits(*limits, config, faults_);
+    if (const sim::YamlField* limits = section.find("limits"))
+        read_limits(*limits, config, faults_);
     section.read("seed", config.seed, parse_seed);
     section.read("clock", config.clock, parse_clock);
-    if (const Field* control = section.find("control")) {
+    if (const sim::YamlField* control = section.find("control")) {
         read_control(*control, base_, config, faults_);
     }
-    if (const Field* http = section.find("http")) read_http(*http, base_, config, faults_);
+    if (const sim::YamlField* http = section.find("http")) read_http(*http, base_, config, faults_);
     config.allow = {base_, sim::folder_of_scene(config.scene)};
-    if (const Field* allow = section.find("allow")) read_allow(*allow, base_, config, faults_);
-    if (const Field* fleet = section.find("fleet")) read_fleet(*fleet, base_, config, faults_);
+    if (const sim::YamlField* allow = section.find("allow"))
+        read_allow(*allow, base_, config, faults_);
+    if (const sim::YamlField* fleet = section.find("fleet"))
+        read_fleet(*fleet, base_, config, faults_);
     claim_sockets(section, config);
     note_places(section, {"scene", "materials", "media", "scenario", "fleet"});
 
     const ModelChoice models{section.find("models"), faults_};
     SensorContext context{models, claims_, base_, faults_, places_};
-    const Field* robots = section.find("robots");
-    const auto fields = robots ? entries(*robots, faults_) : std::vector<Field>{};
+    const sim::YamlField* robots = section.find("robots");
+    const auto fields = robots ? entries(*robots, faults_) : std::vector<sim::YamlField>{};
     if (document.IsMap() && is_empty(robots)) {
         faults_.add(robots ? *robots : whole, "needs at least one robot, under robots");
     }
-    for (const Field& robot : fields)
+    for (const sim::YamlField& robot : fields)
         config.robots.push_back(read_robot(robot, context));
     if (needs_fleet_ && !config.fleet)
         faults_.add(*needs_fleet_, "needs fleet, by whose broker vehicles tell where they are");
@@ -168,22 +173,17 @@ std::span<const std::string_view> configuration_keys() {
 }
 
 Config parse_config(const std::string& text, const fs::path& file) {
-    Faults faults{file.string()};
+    sim::YamlFaults faults{file.string()};
     if (text.size() > largest_file) faults.add(1, {}, "larger than 1 MiB; split it");
     faults.throw_if_any();
-    auto config = Reader{file, faults}.read(parse_document(text, faults));
+    auto config = Reader{file, faults}.read(sim::parse_yaml(text, "a configuration", faults));
     faults.throw_if_any();
     return config;
 }
 
 Config load_config(const fs::path& file) {
-    std::string text;
-    try {
-        text = sim::read_file(file, largest_file, "name a configuration of at most 1 MiB");
-    } catch (const sim::LoadError& error) {
-        throw ConfigError(error.faults());
-    }
-    return parse_config(text, file);
+    return parse_config(sim::read_file(file, largest_file, "name a configuration of at most 1 MiB"),
+                        file);
 }
 
 }  // namespace scipd::daemon

@@ -10,14 +10,14 @@
 #include <string_view>
 
 #include "daemon/config/config.h"
-#include "daemon/config/config_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 
 /// The keys at the root of a configuration.
 std::span<const std::string_view> configuration_keys();
 
-/// Throws ConfigError with every fault. Paths in the file are relative to it; in the result they
+/// Throws sim::LoadError with every fault. Paths in the file are relative to it; in the result they
 /// are absolute.
 Config load_config(const std::filesystem::path& file);
 

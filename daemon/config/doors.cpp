@@ -76,12 +76,13 @@ sim::Expected<std::optional<Address>> parse_http(std::string_view text) {
     return listen;
 }
 
-void read_http(const Field& field, const fs::path& base, Config& config, Faults& faults) {
+void read_http(const sim::YamlField& field, const fs::path& base, Config& config,
+               sim::YamlFaults& faults) {
     if (!field.value.IsMap()) {
-        return faults.take(field, text_of(field.value).and_then(parse_http), config.http);
+        return faults.take(field, sim::text_of(field.value).and_then(parse_http), config.http);
     }
-    const Section section{field, http_keys, faults};
-    const Field* const listen = section.find("listen");
+    const sim::YamlSection section{field, http_keys, faults};
+    const sim::YamlField* const listen = section.find("listen");
     if (!listen) return faults.add(field, "needs listen: ADDRESS:PORT");
     section.read("listen", config.http, parse_listener);
     section.read("token_file", config.http_token,
@@ -90,24 +91,26 @@ void read_http(const Field& field, const fs::path& base, Config& config, Faults&
         faults.add(*listen, needs_a_token(*config.http));
 }
 
-void read_control(const Field& field, const fs::path& base, Config& config, Faults& faults) {
+void read_control(const sim::YamlField& field, const fs::path& base, Config& config,
+                  sim::YamlFaults& faults) {
     const auto parse = [&](const std::string& text) { return parse_socket(text, base); };
     if (!field.value.IsMap()) {
-        return faults.take(field, text_of(field.value).and_then(parse), config.control);
+        return faults.take(field, sim::text_of(field.value).and_then(parse), config.control);
     }
-    const Section section{field, control_keys, faults};
+    const sim::YamlSection section{field, control_keys, faults};
     section.read("socket", config.control, parse);
     section.read("group", config.control_group, parse_group);
 }
 
-void read_allow(const Field& field, const fs::path& base, Config& config, Faults& faults) {
+void read_allow(const sim::YamlField& field, const fs::path& base, Config& config,
+                sim::YamlFaults& faults) {
     if (!field.value.IsSequence())
         return faults.add(field, "must be a list of folders, such as [worlds]");
     config.allow.clear();
     for (const YAML::Node& item : field.value) {
         fs::path& folder = config.allow.emplace_back();
         const auto parse = [&](const std::string& text) { return parse_folder(text, base); };
-        faults.take(field, text_of(item).and_then(parse), folder);
+        faults.take(field, sim::text_of(item).and_then(parse), folder);
     }
 }
 

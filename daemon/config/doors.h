@@ -10,22 +10,22 @@
 #include <string_view>
 
 #include "daemon/config/config.h"
-#include "daemon/config/section.h"
 #include "sim/expected.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
 /// ADDRESS:PORT, none, or {listen, token_file}. What other machines reach needs a token.
-void read_http(const Field& field, const std::filesystem::path& base, Config& config,
-               Faults& faults);
+void read_http(const sim::YamlField& field, const std::filesystem::path& base, Config& config,
+               sim::YamlFaults& faults);
 
 /// A path, or {socket, group}.
-void read_control(const Field& field, const std::filesystem::path& base, Config& config,
-                  Faults& faults);
+void read_control(const sim::YamlField& field, const std::filesystem::path& base, Config& config,
+                  sim::YamlFaults& faults);
 
 /// A list of folders.
-void read_allow(const Field& field, const std::filesystem::path& base, Config& config,
-                Faults& faults);
+void read_allow(const sim::YamlField& field, const std::filesystem::path& base, Config& config,
+                sim::YamlFaults& faults);
 
 /// ADDRESS:PORT of loopback, or nothing for `none`: where nobody can say a token.
 sim::Expected<std::optional<Address>> parse_http(std::string_view text);

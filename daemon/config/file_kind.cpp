@@ -12,13 +12,12 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "daemon/config/config_error.h"
 #include "daemon/config/config_file.h"
-#include "daemon/config/section.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/poses/pose_line.h"
+#include "sim/loaders/yaml/yaml_section.h"
 #include "sim/text/near_word.h"
 #include "sim/text/text_number.h"
 
@@ -88,10 +87,10 @@ std::optional<FileKind> kind_of_yaml(const YAML::Node& document) {
 
 /// Nothing where the text is no YAML.
 std::optional<YAML::Node> yaml_in(const std::string& text) {
-    Faults faults{""};
+    sim::YamlFaults faults{""};
     try {
-        return parse_document(text, faults);
-    } catch (const ConfigError&) {
+        return sim::parse_yaml(text, "anything", faults);
+    } catch (const sim::LoadError&) {
         return std::nullopt;
     }
 }

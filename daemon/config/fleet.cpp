@@ -24,8 +24,9 @@ sim::Expected<BrokerUser> parse_user_file(std::string_view text, const fs::path&
     });
 }
 
-void read_tls(const Field& field, const fs::path& base, FleetConfig& fleet, Faults& faults) {
-    const Section section{field, tls_keys, faults};
+void read_tls(const sim::YamlField& field, const fs::path& base, FleetConfig& fleet,
+              sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, tls_keys, faults};
     const auto parse = [&](const std::string& text) { return parse_file(text, base); };
     section.read("ca", fleet.tls.ca, parse);
     section.read("cert", fleet.tls.cert, parse);
@@ -37,8 +38,9 @@ void read_tls(const Field& field, const fs::path& base, FleetConfig& fleet, Faul
 
 }  // namespace
 
-void read_fleet(const Field& field, const fs::path& base, Config& config, Faults& faults) {
-    const Section section{field, fleet_keys, faults};
+void read_fleet(const sim::YamlField& field, const fs::path& base, Config& config,
+                sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, fleet_keys, faults};
     FleetConfig& fleet = config.fleet.emplace();
     for (const std::string_view key : {"broker", "world"}) {
         if (field.value.IsMap() && !section.find(key))
@@ -50,7 +52,7 @@ void read_fleet(const Field& field, const fs::path& base, Config& config, Faults
     section.read("name", fleet.name, parse_name);
     section.read("user_file", fleet.user,
                  [&](const std::string& text) { return parse_user_file(text, base); });
-    if (const Field* const tls = section.find("tls")) read_tls(*tls, base, fleet, faults);
+    if (const sim::YamlField* const tls = section.find("tls")) read_tls(*tls, base, fleet, faults);
     section.read("near_m", fleet.near_m, parse_length);
 }
 

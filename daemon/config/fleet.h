@@ -8,11 +8,11 @@
 #include <filesystem>
 
 #include "daemon/config/config.h"
-#include "daemon/config/section.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
-void read_fleet(const Field& field, const std::filesystem::path& base, Config& config,
-                Faults& faults);
+void read_fleet(const sim::YamlField& field, const std::filesystem::path& base, Config& config,
+                sim::YamlFaults& faults);
 
 }  // namespace scipd::daemon

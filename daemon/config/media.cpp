@@ -7,7 +7,7 @@
 
 #include "daemon/config/members.h"
 #include "daemon/config/numbers.h"
-#include "daemon/config/section.h"
+#include "sim/loaders/yaml/yaml_section.h"
 #include "sim/text/name.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
@@ -127,8 +127,8 @@ void give_name(const MediumRequest& request, const std::vector<sim::Medium>& oth
                   sim::quote(medium.name));
 }
 
-void read_number(const Field& field, MediumRequest& request, Faults& faults) {
-    const auto number = text_of(field.value).and_then([](const std::string& text) {
+void read_number(const sim::YamlField& field, MediumRequest& request, sim::YamlFaults& faults) {
+    const auto number = sim::text_of(field.value).and_then([](const std::string& text) {
         const auto value = sim::parse_number(text);
         return value ? sim::Expected<double>(*value)
                      : sim::refuse("must be a number, not " + sim::quote(text));
@@ -136,8 +136,8 @@ void read_number(const Field& field, MediumRequest& request, Faults& faults) {
     faults.take(field, number, request.numbers[field.key]);
 }
 
-void read_box(const Field& field, MediumRequest& request, Faults& faults) {
-    const Section section{field, box_keys, faults};
+void read_box(const sim::YamlField& field, MediumRequest& request, sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, box_keys, faults};
     auto& corners_m = request.box_m.emplace();
     for (std::size_t i = 0; i < box_keys.size(); ++i) {
         section.read_vector(box_keys[i], corners_m[i], parse_metres);
@@ -146,14 +146,15 @@ void read_box(const Field& field, MediumRequest& request, Faults& faults) {
     }
 }
 
-MediumRequest read_request(const Section& section, Faults& faults) {
+MediumRequest read_request(const sim::YamlSection& section, sim::YamlFaults& faults) {
     MediumRequest request;
     section.read("kind", request.kind);
     section.read("name", request.name);
     for (const std::string_view key : number_keys) {
-        if (const Field* const field = section.find(key)) read_number(*field, request, faults);
+        if (const sim::YamlField* const field = section.find(key))
+            read_number(*field, request, faults);
     }
-    if (const Field* const box = section.find("box")) read_box(*box, request, faults);
+    if (const sim::YamlField* const box = section.find("box")) read_box(*box, request, faults);
     return request;
 }
 
@@ -181,18 +182,18 @@ void add_medium(const MediumRequest& request, std::vector<sim::Medium>& media,
     if (!faulty) media.push_back(std::move(medium));
 }
 
-std::vector<sim::Medium> read_media(const Field& list, Faults& faults) {
+std::vector<sim::Medium> read_media(const sim::YamlField& list, sim::YamlFaults& faults) {
     static_assert(most_media == longest_list);
-    std::vector<Field> fields;
+    std::vector<sim::YamlField> fields;
     faults.take(list, items(list), fields);
     std::vector<sim::Medium> media;
-    for (const Field& field : fields) {
+    for (const sim::YamlField& field : fields) {
         const std::size_t before = faults.count();
-        const Section section{field, medium_keys, faults};
+        const sim::YamlSection section{field, medium_keys, faults};
         const MediumRequest request = read_request(section, faults);
         if (faults.count() != before) continue;
         add_medium(request, media, [&](std::string_view key, const std::string& why) {
-            const Field* const at = section.find(key);
+            const sim::YamlField* const at = section.find(key);
             faults.add(at != nullptr ? *at : field, why);
         });
     }

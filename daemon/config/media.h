@@ -18,10 +18,12 @@
 
 #include "sim/world/medium.h"
 
-namespace scipd::daemon {
+namespace scipd::sim {
+class YamlFaults;
+struct YamlField;
+}  // namespace scipd::sim
 
-class Faults;
-struct Field;
+namespace scipd::daemon {
 
 inline constexpr std::size_t most_media = 64;
 
@@ -47,6 +49,6 @@ void add_medium(const MediumRequest& request, std::vector<sim::Medium>& media,
                 const TellFault& tell);
 
 /// `list` is the value of the root's key `media`.
-std::vector<sim::Medium> read_media(const Field& list, Faults& faults);
+std::vector<sim::Medium> read_media(const sim::YamlField& list, sim::YamlFaults& faults);
 
 }  // namespace scipd::daemon

@@ -17,10 +17,10 @@ std::string advice(const YAML::Node& value) {
 
 }  // namespace
 
-sim::Expected<std::vector<Field>> items(const Field& list) {
+sim::Expected<std::vector<sim::YamlField>> items(const sim::YamlField& list) {
     if (!list.value.IsSequence() || list.value.size() > longest_list)
         return sim::refuse("must be a list of at most 64, in brackets" + advice(list.value));
-    std::vector<Field> fields;
+    std::vector<sim::YamlField> fields;
     for (const YAML::Node& item : list.value)
         fields.push_back({list.key, list.path, item.Mark().line + 1, item});
     return fields;

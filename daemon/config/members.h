@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "daemon/config/section.h"
 #include "sim/expected.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
@@ -19,27 +19,27 @@ namespace scipd::daemon {
 template <class Struct>
 struct Member {
     std::string_view key;
-    void (*read)(const Field& field, Struct& target, Faults& faults);
+    void (*read)(const sim::YamlField& field, Struct& target, sim::YamlFaults& faults);
 };
 
 template <auto member, auto parse, class Struct>
-void read_as(const Field& field, Struct& target, Faults& faults) {
-    faults.take(field, text_of(field.value).and_then(parse), target.*member);
+void read_as(const sim::YamlField& field, Struct& target, sim::YamlFaults& faults) {
+    faults.take(field, sim::text_of(field.value).and_then(parse), target.*member);
 }
 
 inline constexpr std::size_t longest_list = 64;
 
 /// The items of a list, each with the path of the list and its own line.
-sim::Expected<std::vector<Field>> items(const Field& list);
+sim::Expected<std::vector<sim::YamlField>> items(const sim::YamlField& list);
 
 /// Every item of a list, or the fault of the first that is wrong.
 template <auto parse>
-auto values_of(const Field& list) {
+auto values_of(const sim::YamlField& list) {
     using Value = typename decltype(parse({}))::value_type;
-    return items(list).and_then([](const std::vector<Field>& fields) {
+    return items(list).and_then([](const std::vector<sim::YamlField>& fields) {
         sim::Expected<std::vector<Value>> values{tl::in_place};
-        for (const Field& item : fields) {
-            const auto value = text_of(item.value).and_then(parse);
+        for (const sim::YamlField& item : fields) {
+            const auto value = sim::text_of(item.value).and_then(parse);
             if (!value) return decltype(values){tl::unexpect, value.error()};
             values->push_back(*value);
         }
@@ -48,7 +48,7 @@ auto values_of(const Field& list) {
 }
 
 template <auto member, auto parse, class Struct>
-void read_list(const Field& field, Struct& target, Faults& faults) {
+void read_list(const sim::YamlField& field, Struct& target, sim::YamlFaults& faults) {
     faults.take(field, values_of<parse>(field), target.*member);
 }
 
@@ -63,20 +63,22 @@ std::vector<std::string_view> keys_of(const Table& table,
 }
 
 template <class Table, class Struct>
-void read_members(const Section& section, const Table& table, Struct& target, Faults& faults) {
+void read_members(const sim::YamlSection& section, const Table& table, Struct& target,
+                  sim::YamlFaults& faults) {
     for (const auto& member : table) {
-        if (const Field* field = section.find(member.key)) member.read(*field, target, faults);
+        if (const sim::YamlField* field = section.find(member.key))
+            member.read(*field, target, faults);
     }
 }
 
 /// A list of maps.
 template <class Item, const auto& table>
-std::vector<Item> maps_of(const Field& list, Faults& faults) {
+std::vector<Item> maps_of(const sim::YamlField& list, sim::YamlFaults& faults) {
     std::vector<Item> read;
-    std::vector<Field> maps;
+    std::vector<sim::YamlField> maps;
     faults.take(list, items(list), maps);
-    for (const Field& item : maps) {
-        const Section section{item, keys_of(table), faults};
+    for (const sim::YamlField& item : maps) {
+        const sim::YamlSection section{item, keys_of(table), faults};
         read_members(section, table, read.emplace_back(Item{}), faults);
     }
     return read;
@@ -84,8 +86,8 @@ std::vector<Item> maps_of(const Field& list, Faults& faults) {
 
 /// A map within the map.
 template <auto member, const auto& table, class Struct>
-void read_map(const Field& field, Struct& target, Faults& faults) {
-    const Section section{field, keys_of(table), faults};
+void read_map(const sim::YamlField& field, Struct& target, sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, keys_of(table), faults};
     read_members(section, table, target.*member, faults);
 }
 

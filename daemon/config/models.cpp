@@ -23,15 +23,15 @@ sim::Expected<std::string> parse_own_name(const std::string& text) {
 
 }  // namespace
 
-ModelChoice::ModelChoice(const Field* models, Faults& faults) {
+ModelChoice::ModelChoice(const sim::YamlField* models, sim::YamlFaults& faults) {
     if (!models) return;
-    for (const Field& field : entries(*models, faults))
+    for (const sim::YamlField& field : entries(*models, faults))
         own_[field.key] = read_own(field, faults);
 }
 
-std::optional<Model> ModelChoice::read_own(const Field& field, Faults& faults) {
+std::optional<Model> ModelChoice::read_own(const sim::YamlField& field, sim::YamlFaults& faults) {
     const std::size_t faults_before = faults.count();
-    const Section section = profile_section(field, like_key, faults);
+    const sim::YamlSection section = profile_section(field, like_key, faults);
     std::optional<Model> model;
     section.read("like", model, parse_model);
     if (field.value.IsMap() && !section.find("like")) {

@@ -10,21 +10,21 @@
 #include <optional>
 #include <string>
 
-#include "daemon/config/section.h"
 #include "daemon/models/model.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
 class ModelChoice {
   public:
     /// `models` is the root key; null where there is none.
-    ModelChoice(const Field* models, Faults& faults);
+    ModelChoice(const sim::YamlField* models, sim::YamlFaults& faults);
 
     /// Nothing where it is one of the file's own that has faults, which have been told already.
     [[nodiscard]] sim::Expected<std::optional<Model>> find(const std::string& name) const;
 
   private:
-    static std::optional<Model> read_own(const Field& field, Faults& faults);
+    static std::optional<Model> read_own(const sim::YamlField& field, sim::YamlFaults& faults);
     [[nodiscard]] std::string own_names() const;
 
     std::map<std::string, std::optional<Model>> own_;

@@ -14,18 +14,18 @@ namespace {
 
 constexpr std::array<std::string_view, 4> mount_keys{"link", "sensor", "xyz", "rpy"};
 
-sim::Expected<std::string> parse_frame(std::string_view text) {
+sim::Expected<std::string> parse_named_place(std::string_view text) {
     if (text.empty()) return sim::refuse("must name a place, such as MODEL::LINK");
     return std::string{text};
 }
 
 }  // namespace
 
-void read_mount(const Section& section, SensorConfig& sensor, Faults& faults,
+void read_mount(const sim::YamlSection& section, SensorConfig& sensor, sim::YamlFaults& faults,
                 std::map<std::string, std::string>& places) {
-    const Field* field = section.find("mount");
+    const sim::YamlField* field = section.find("mount");
     if (!field) return;
-    const Section mount{*field, mount_keys, faults};
+    const sim::YamlSection mount{*field, mount_keys, faults};
     const sim::Pose pose = pose_in(mount, faults);
     sensor.robot_from_sensor = pose;
     places[field->path] = faults.place(field->line, field->path);
@@ -36,7 +36,7 @@ void read_mount(const Section& section, SensorConfig& sensor, Faults& faults,
     }
     NamedMount named{.kind = on_sensor ? MountKind::sensor : MountKind::link,
                      .frame_from_sensor = pose};
-    mount.read(on_sensor ? "sensor" : "link", named.name, parse_frame);
+    mount.read(on_sensor ? "sensor" : "link", named.name, parse_named_place);
     sensor.mount = std::move(named);
 }
 
@@ -44,7 +44,7 @@ sim::Expected<> take_mount(std::string_view text, SensorConfig& sensor) {
     if (text.find(',') != text.npos)
         return parse_pose(text).map(
             [&](const sim::Pose& pose) { sensor.robot_from_sensor = pose; });
-    return parse_frame(text).map([&](const std::string& name) {
+    return parse_named_place(text).map([&](const std::string& name) {
         sensor.mount = NamedMount{.kind = MountKind::any, .name = name};
     });
 }

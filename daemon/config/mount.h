@@ -9,15 +9,15 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/config/section.h"
 #include "daemon/config/sensor_config.h"
 #include "sim/expected.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
 /// Reads the key `mount`: {xyz: [..], rpy: [..]}. They count from the place that `link: NAME` or
 /// `sensor: NAME` names, else from the robot. `places` is that of Config.
-void read_mount(const Section& section, SensorConfig& sensor, Faults& faults,
+void read_mount(const sim::YamlSection& section, SensorConfig& sensor, sim::YamlFaults& faults,
                 std::map<std::string, std::string>& places);
 
 /// X,Y,YAW, X,Y,Z,ROLL,PITCH,YAW or a NAME.

@@ -57,7 +57,7 @@ constexpr Member<IntensityPoint> intensity_members[] = {
     {"intensity", read_as<&IntensityPoint::intensity, parse_length>},
 };
 
-void read_noise(const Field& field, SensorSpec& optics, Faults& faults) {
+void read_noise(const sim::YamlField& field, SensorSpec& optics, sim::YamlFaults& faults) {
     optics.noise = maps_of<NoiseStep, noise_members>(field, faults);
     if (optics.noise.empty()) optics.noise_law = {};
     for (std::size_t i = 0; i < optics.noise.size(); ++i) {
@@ -68,18 +68,19 @@ void read_noise(const Field& field, SensorSpec& optics, Faults& faults) {
 }
 
 template <class Point>
-void require_growing(const Field& field, const std::vector<Point>& curve, Faults& faults) {
+void require_growing(const sim::YamlField& field, const std::vector<Point>& curve,
+                     sim::YamlFaults& faults) {
     for (std::size_t i = 1; i < curve.size(); ++i) {
         if (curve[i].range_m <= curve[i - 1].range_m) faults.add(field, "range_m must grow");
     }
 }
 
-void read_bias(const Field& field, SensorSpec& optics, Faults& faults) {
+void read_bias(const sim::YamlField& field, SensorSpec& optics, sim::YamlFaults& faults) {
     optics.bias = maps_of<BiasPoint, bias_members>(field, faults);
     require_growing(field, optics.bias, faults);
 }
 
-void read_intensity(const Field& field, Receiver& receiver, Faults& faults) {
+void read_intensity(const sim::YamlField& field, Receiver& receiver, sim::YamlFaults& faults) {
     receiver.intensity = maps_of<IntensityPoint, intensity_members>(field, faults);
     require_growing(field, receiver.intensity, faults);
 }
@@ -100,7 +101,8 @@ constexpr Member<IntensityNoisePoint> intensity_noise_members[] = {
     {"share", read_as<&IntensityNoisePoint::share, parse_share>},
 };
 
-void read_intensity_noise(const Field& field, Receiver& receiver, Faults& faults) {
+void read_intensity_noise(const sim::YamlField& field, Receiver& receiver,
+                          sim::YamlFaults& faults) {
     receiver.intensity_noise = maps_of<IntensityNoisePoint, intensity_noise_members>(field, faults);
     for (std::size_t i = 1; i < receiver.intensity_noise.size(); ++i) {
         if (receiver.intensity_noise[i].intensity <= receiver.intensity_noise[i - 1].intensity)
@@ -151,7 +153,7 @@ constexpr Member<SensorSpec> optics_members[] = {
 
 }  // namespace
 
-bool read_bias_choice(const Field& field, SensorSpec& optics, Faults& faults) {
+bool read_bias_choice(const sim::YamlField& field, SensorSpec& optics, sim::YamlFaults& faults) {
     optics.bias.clear();
     if (field.value.IsSequence()) {
         read_bias(field, optics, faults);
@@ -167,7 +169,7 @@ std::vector<std::string_view> optics_keys() {
     return keys_of(optics_members);
 }
 
-void override_optics(const Section& section, SensorSpec& optics, Faults& faults) {
+void override_optics(const sim::YamlSection& section, SensorSpec& optics, sim::YamlFaults& faults) {
     read_members(section, optics_members, optics, faults);
 }
 

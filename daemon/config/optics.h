@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "daemon/config/section.h"
+#include "sim/loaders/yaml/yaml_section.h"
 #include "sim/sensor/sensor_spec.h"
 
 namespace scipd::daemon {
@@ -16,9 +16,11 @@ namespace scipd::daemon {
 std::vector<std::string_view> optics_keys();
 
 /// Reads `none`, `unit` or a curve: what a scanner reads too far. True: a curve, or none.
-bool read_bias_choice(const Field& field, sim::SensorSpec& optics, Faults& faults);
+bool read_bias_choice(const sim::YamlField& field, sim::SensorSpec& optics,
+                      sim::YamlFaults& faults);
 
 /// Replaces what the section gives.
-void override_optics(const Section& section, sim::SensorSpec& optics, Faults& faults);
+void override_optics(const sim::YamlSection& section, sim::SensorSpec& optics,
+                     sim::YamlFaults& faults);
 
 }  // namespace scipd::daemon

@@ -44,15 +44,16 @@ sim::Expected<sim::TrajectoryFormat> parse_format(std::string_view text) {
                        "'; leave it out to go by the content");
 }
 
-void refuse_of_live_poses(const Section& section, const RobotConfig& robot, Faults& faults) {
+void refuse_of_live_poses(const sim::YamlSection& section, const RobotConfig& robot,
+                          sim::YamlFaults& faults) {
     if (!robot.poses || robot.poses->kind == PoseSource::Kind::file) return;
     for (const std::string_view key : {"speed", "loop", "format", "times"}) {
-        if (const Field* field = section.find(key))
+        if (const sim::YamlField* field = section.find(key))
             faults.add(*field, "is of a trajectory; live poses come when they come");
     }
 }
 
-void read_of_trajectory(const Section& section, const std::filesystem::path& base,
+void read_of_trajectory(const sim::YamlSection& section, const std::filesystem::path& base,
                         PoseSource& source) {
     section.read("speed", source.speed, parse_speed);
     section.read("loop", source.loop, parse_switch);
@@ -72,27 +73,29 @@ sim::Expected<std::string> parse_called(std::string_view text) {
 }
 
 /// `gz: {robot: rescue::base_link}`
-void read_gz(const Section& section, std::optional<PoseSource>& source, Faults& faults) {
-    const Field* field = section.find("gz");
+void read_gz(const sim::YamlSection& section, std::optional<PoseSource>& source,
+             sim::YamlFaults& faults) {
+    const sim::YamlField* field = section.find("gz");
     if (!field || !source) return;
     if (source->kind != PoseSource::Kind::gz) return faults.add(*field, "goes with from: gz:");
-    const Section keys{*field, gz_keys, faults};
+    const sim::YamlSection keys{*field, gz_keys, faults};
     keys.read("robot", source->called, parse_called);
 }
 
 /// `ros2: {topic: /tf, parent: odom, child: base_link}`; the topic may stand under from, too.
-void read_ros(const Section& section, std::optional<PoseSource>& source, Faults& faults) {
-    const Field* field = section.find("ros2");
+void read_ros(const sim::YamlSection& section, std::optional<PoseSource>& source,
+              sim::YamlFaults& faults) {
+    const sim::YamlField* field = section.find("ros2");
     if (!field) return;
     const bool other = source && source->kind != PoseSource::Kind::ros2 &&
                        source->kind != PoseSource::Kind::rosbridge;
     if (other) return faults.add(*field, "goes with from: ros2:/TOPIC, or rosbridge:");
-    const Section keys{*field, ros_keys, faults};
+    const sim::YamlSection keys{*field, ros_keys, faults};
     const bool bridged = source && source->kind == PoseSource::Kind::rosbridge;
-    if (const Field* topic = keys.find("topic"); topic && bridged)
+    if (const sim::YamlField* topic = keys.find("topic"); topic && bridged)
         faults.add(*topic, "stands in from already");
     else if (topic)
-        faults.take(*topic, text_of(topic->value).and_then([](const std::string& text) {
+        faults.take(*topic, sim::text_of(topic->value).and_then([](const std::string& text) {
             return parse_pose_source("ros2:" + text, {});
         }),
                     source);
@@ -105,7 +108,7 @@ void read_ros(const Section& section, std::optional<PoseSource>& source, Faults&
 
 }  // namespace
 
-sim::Pose pose_in(const Section& section, Faults& faults) {
+sim::Pose pose_in(const sim::YamlSection& section, sim::YamlFaults& faults) {
     glm::dvec3 xyz_m{0.0};
     glm::dvec3 rpy_rad{0.0};
     section.read_vector("xyz", xyz_m, parse_metres);
@@ -116,25 +119,25 @@ sim::Pose pose_in(const Section& section, Faults& faults) {
     return sim::pose_from_rpy(xyz_m, rpy_rad);
 }
 
-sim::Pose read_pose(const Section& parent, std::string_view key, Faults& faults) {
+sim::Pose read_pose(const sim::YamlSection& parent, std::string_view key, sim::YamlFaults& faults) {
     static constexpr std::array<std::string_view, 2> keys{"xyz", "rpy"};
-    const Field* field = parent.find(key);
+    const sim::YamlField* field = parent.find(key);
     if (!field) return {};
-    return pose_in(Section{*field, keys, faults}, faults);
+    return pose_in(sim::YamlSection{*field, keys, faults}, faults);
 }
 
-void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::path& base,
-                Claims& claims, Faults& faults) {
+void read_poses(const sim::YamlField& field, RobotConfig& robot, const std::filesystem::path& base,
+                Claims& claims, sim::YamlFaults& faults) {
     const auto parse = [&](const std::string& text) { return parse_pose_source(text, base); };
-    const Field* source = &field;
-    std::optional<Section> section;
+    const sim::YamlField* source = &field;
+    std::optional<sim::YamlSection> section;
     if (field.value.IsMap()) {
         section.emplace(field, poses_keys, faults);
         source = section->find("from");
         if (!source && !section->find("ros2"))
             return faults.add(field, "needs from: udp:ADDR:PORT, a trajectory or -");
     }
-    if (source) faults.take(*source, text_of(source->value).and_then(parse), robot.poses);
+    if (source) faults.take(*source, sim::text_of(source->value).and_then(parse), robot.poses);
     if (section) {
         read_gz(*section, robot.poses, faults);
         read_ros(*section, robot.poses, faults);

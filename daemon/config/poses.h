@@ -10,21 +10,21 @@
 
 #include "daemon/config/claims.h"
 #include "daemon/config/config.h"
-#include "daemon/config/section.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
 /// What xyz and rpy of this section say; each is zeros where it is left out. Angles that look like
 /// degrees are a warning.
-sim::Pose pose_in(const Section& section, Faults& faults);
+sim::Pose pose_in(const sim::YamlSection& section, sim::YamlFaults& faults);
 
 /// The pose under this key, {xyz: [..], rpy: [..]}. Each is zeros where it is left out, and so are
 /// both where the key is not there.
-sim::Pose read_pose(const Section& parent, std::string_view key, Faults& faults);
+sim::Pose read_pose(const sim::YamlSection& parent, std::string_view key, sim::YamlFaults& faults);
 
 /// Reads `poses: SOURCE`, or a map with `from: SOURCE` and more, into the robot and its sensors.
 /// `field` is the value of the robot's key `poses`.
-void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::path& base,
-                Claims& claims, Faults& faults);
+void read_poses(const sim::YamlField& field, RobotConfig& robot, const std::filesystem::path& base,
+                Claims& claims, sim::YamlFaults& faults);
 
 }  // namespace scipd::daemon

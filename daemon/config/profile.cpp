@@ -81,22 +81,22 @@ Expected<protocol::Deviation> parse_cell(std::string_view text) {
 }
 
 template <auto member, class Struct>
-void read_text(const Field& field, Struct& target, Faults& faults) {
+void read_text(const sim::YamlField& field, Struct& target, sim::YamlFaults& faults) {
     read_as<member, parse_text>(field, target, faults);
 }
 
 template <auto member, class Struct>
-void read_number(const Field& field, Struct& target, Faults& faults) {
+void read_number(const sim::YamlField& field, Struct& target, sim::YamlFaults& faults) {
     read_as<member, parse_number>(field, target, faults);
 }
 
 template <auto member, class Struct>
-void read_flag(const Field& field, Struct& target, Faults& faults) {
+void read_flag(const sim::YamlField& field, Struct& target, sim::YamlFaults& faults) {
     read_as<member, parse_switch>(field, target, faults);
 }
 
 template <auto member, class Struct>
-void read_period(const Field& field, Struct& target, Faults& faults) {
+void read_period(const sim::YamlField& field, Struct& target, sim::YamlFaults& faults) {
     read_as<member, parse_period>(field, target, faults);
 }
 
@@ -120,7 +120,7 @@ constexpr Member<RareCode> rare_code_members[] = {
     {"alone", read_flag<&RareCode::alone>},
 };
 
-void read_rare_codes(const Field& field, DeviceProfile& profile, Faults& faults) {
+void read_rare_codes(const sim::YamlField& field, DeviceProfile& profile, sim::YamlFaults& faults) {
     profile.rare_codes = maps_of<RareCode, rare_code_members>(field, faults);
 }
 
@@ -190,9 +190,10 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"wake_time_ms", read_period<&DeviceProfile::wake_time>},
 };
 
-void check(const Section& section, const Field& map, const DeviceProfile& profile, Faults& faults) {
+void check(const sim::YamlSection& section, const sim::YamlField& map, const DeviceProfile& profile,
+           sim::YamlFaults& faults) {
     for (const ProfileFault& fault : faults_of(profile)) {
-        const Field* const given = section.find(fault.member);
+        const sim::YamlField* const given = section.find(fault.member);
         const std::string path = map.path + "." + std::string{fault.member};
         faults.add(given ? given->line : map.line, given ? given->path : path, fault.sentence);
     }
@@ -212,16 +213,17 @@ std::vector<std::string_view> scip1_keys() {
     return keys_of(scip1_members);
 }
 
-Section profile_section(const Field& map, std::span<const std::string_view> besides,
-                        Faults& faults) {
+sim::YamlSection profile_section(const sim::YamlField& map,
+                                 std::span<const std::string_view> besides,
+                                 sim::YamlFaults& faults) {
     std::vector<std::string_view> keys = keys_of(profile_members, besides);
     for (const std::string_view key : optics_keys())
         keys.push_back(key);
     return {map, keys, faults};
 }
 
-void override_model(const Section& section, const Field& map, std::optional<Model>& model,
-                    Faults& faults) {
+void override_model(const sim::YamlSection& section, const sim::YamlField& map,
+                    std::optional<Model>& model, sim::YamlFaults& faults) {
     DeviceProfile profile = model ? model->profile : DeviceProfile{};
     sim::SensorSpec optics = model ? model->optics : sim::SensorSpec{};
     // Whoever says which code stands for a cause gets that one alone.

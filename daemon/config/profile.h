@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "daemon/config/section.h"
 #include "daemon/models/model.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
@@ -23,12 +23,13 @@ std::vector<std::string_view> code_keys();
 std::vector<std::string_view> scip1_keys();
 
 /// A map that may have the fields of a profile and the keys `besides`.
-Section profile_section(const Field& map, std::span<const std::string_view> besides,
-                        Faults& faults);
+sim::YamlSection profile_section(const sim::YamlField& map,
+                                 std::span<const std::string_view> besides,
+                                 sim::YamlFaults& faults);
 
 /// Replaces what the section gives in the model, and derives the optics anew. Then it checks that
 /// all members of the profile go together. Without a model it only checks each value by itself.
-void override_model(const Section& section, const Field& map, std::optional<Model>& model,
-                    Faults& faults);
+void override_model(const sim::YamlSection& section, const sim::YamlField& map,
+                    std::optional<Model>& model, sim::YamlFaults& faults);
 
 }  // namespace scipd::daemon

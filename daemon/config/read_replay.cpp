@@ -27,14 +27,15 @@ sim::Expected<ReplayLoop> parse_loop(std::string_view text) {
         sim::quote(text));
 }
 
-ReplayConfig read_replay(const Field& field, const std::filesystem::path& base, Faults& faults) {
+ReplayConfig read_replay(const sim::YamlField& field, const std::filesystem::path& base,
+                         sim::YamlFaults& faults) {
     ReplayConfig replay;
     const auto parse = [&](const std::string& text) { return parse_file(text, base); };
     if (!field.value.IsMap()) {
-        faults.take(field, text_of(field.value).and_then(parse), replay.file);
+        faults.take(field, sim::text_of(field.value).and_then(parse), replay.file);
         return replay;
     }
-    const Section section{field, replay_keys, faults};
+    const sim::YamlSection section{field, replay_keys, faults};
     if (!section.find("file")) faults.add(field, "needs a file, which is a recording");
     section.read("file", replay.file, parse);
     section.read("stream", replay.stream);

@@ -7,13 +7,13 @@
 #include <filesystem>
 
 #include "daemon/config/replay_config.h"
-#include "daemon/config/section.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
 /// A file, or a map {file, stream, loop, speed, from_s}. Files are relative to `base`.
-[[nodiscard]] ReplayConfig read_replay(const Field& field, const std::filesystem::path& base,
-                                       Faults& faults);
+[[nodiscard]] ReplayConfig read_replay(const sim::YamlField& field,
+                                       const std::filesystem::path& base, sim::YamlFaults& faults);
 
 /// true, false, or on: the stamps go on from round to round.
 [[nodiscard]] sim::Expected<ReplayLoop> parse_loop(std::string_view text);

@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 3> clock_keys{"ppm", "start_ms", "phase_m
 constexpr std::array<std::string_view, 7> link_keys{
     "latency_ms", "jitter_ms", "baud", "split_bytes", "coalesce_ms", "on_close", "dead_after_s"};
 
-bool is_none(const Field* listener) {
+bool is_none(const sim::YamlField* listener) {
     return !listener || (listener->value.IsScalar() && listener->value.Scalar() == "none");
 }
 
@@ -40,21 +40,22 @@ std::string listed(const std::vector<int>& numbers) {
 }
 
 /// Nothing where the model is unknown, which has been told then.
-std::optional<Model> read_model(const Section& section, const SensorContext& context) {
+std::optional<Model> read_model(const sim::YamlSection& section, const SensorContext& context) {
     std::optional<Model> model;
     section.read("model", model,
                  [&](const std::string& text) { return context.models.find(text); });
-    if (const Field* profile = section.find("profile")) {
+    if (const sim::YamlField* profile = section.find("profile")) {
         override_model(profile_section(*profile, {}, context.faults), *profile, model,
                        context.faults);
     }
-    if (const Field* bias = section.find("bias"); bias && model)
+    if (const sim::YamlField* bias = section.find("bias"); bias && model)
         model->own_bias = read_bias_choice(*bias, model->optics, context.faults);
     return model;
 }
 
-sim::DepthOptions read_depth(const Field& field, const std::string& backend, Faults& faults) {
-    const Section section{field, depth_keys, faults};
+sim::DepthOptions read_depth(const sim::YamlField& field, const std::string& backend,
+                             sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, depth_keys, faults};
     sim::DepthOptions depth;
     section.read("between_pixels", depth.between_pixels, parse_between_pixels);
     section.read("oversample", depth.oversample, parse_oversample);
@@ -67,10 +68,10 @@ sim::DepthOptions read_depth(const Field& field, const std::string& backend, Fau
     return depth;
 }
 
-DeviceClockConfig read_clock(const Section& parent, Faults& faults) {
+DeviceClockConfig read_clock(const sim::YamlSection& parent, sim::YamlFaults& faults) {
     DeviceClockConfig clock;
-    if (const Field* field = parent.find("clock")) {
-        const Section section{*field, clock_keys, faults};
+    if (const sim::YamlField* field = parent.find("clock")) {
+        const sim::YamlSection section{*field, clock_keys, faults};
         section.read("ppm", clock.ppm, parse_ppm);
         section.read("start_ms", clock.start_ms, parse_device_time);
         section.read("phase_ms", clock.phase, parse_phase);
@@ -86,9 +87,9 @@ sim::Expected<> check_baud(int baud, const protocol::DeviceProfile& profile) {
     return {};
 }
 
-LinkConfig read_link(const Field& field, const Section& sensor, const std::optional<Model>& model,
-                     Faults& faults) {
-    const Section section{field, link_keys, faults};
+LinkConfig read_link(const sim::YamlField& field, const sim::YamlSection& sensor,
+                     const std::optional<Model>& model, sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, link_keys, faults};
     LinkConfig link;
     section.read("latency_ms", link.latency, parse_link_delay);
     section.read("jitter_ms", link.jitter, parse_link_delay);
@@ -114,17 +115,18 @@ LinkConfig read_link(const Field& field, const Section& sensor, const std::optio
     return link;
 }
 
-void check_reach(const Field& field, const Section& section, Faults& faults) {
+void check_reach(const sim::YamlField& field, const sim::YamlSection& section,
+                 sim::YamlFaults& faults) {
     if (is_none(section.find("tcp")) && is_none(section.find("pty"))) {
         faults.add(field, "nobody can reach it; give tcp or pty, such as `pty: auto`");
     }
 }
 
 /// Reads the keys that only scanners have.
-void read_scanner(const Field& field, const Section& section, SensorConfig& sensor,
-                  SensorContext& context) {
-    Faults& faults = context.faults;
-    if (const Field* replay = section.find("replay")) {
+void read_scanner(const sim::YamlField& field, const sim::YamlSection& section,
+                  SensorConfig& sensor, SensorContext& context) {
+    sim::YamlFaults& faults = context.faults;
+    if (const sim::YamlField* replay = section.find("replay")) {
         sensor.replay = read_replay(*replay, context.base, faults);
         sensor.replay->finds_model = !section.find("model");
     } else if (!section.find("model")) {
@@ -140,10 +142,10 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
     section.read("noise", sensor.noise, parse_noise_factor);
     section.read("timing", sensor.timing, parse_timing);
     section.read("power_up", sensor.power_up, parse_power_up);
-    if (const Field* power_up = section.find("power_up"); power_up && model)
+    if (const sim::YamlField* power_up = section.find("power_up"); power_up && model)
         faults.require(*power_up, check_power_up(sensor.power_up, model->profile));
     sensor.clock = read_clock(section, faults);
-    if (const Field* link = section.find("link")) {
+    if (const sim::YamlField* link = section.find("link")) {
         sensor.link = read_link(*link, section, model, faults);
     }
     context.claims.claim(section.find("tcp"), Transport::tcp, sensor.tcp);
@@ -157,12 +159,12 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
 }
 
 /// True: it is a camera or a ranger.
-bool read_staring(const Section& section, SensorConfig& sensor, Faults& faults) {
-    const Field* const camera = section.find("camera");
-    const Field* const ranger = section.find("ranger");
+bool read_staring(const sim::YamlSection& section, SensorConfig& sensor, sim::YamlFaults& faults) {
+    const sim::YamlField* const camera = section.find("camera");
+    const sim::YamlField* const ranger = section.find("ranger");
     if (!camera && !ranger) return false;
     if (camera && ranger) faults.add(*ranger, "there is a camera already; give one of the two");
-    if (const Field* model = section.find("model")) {
+    if (const sim::YamlField* model = section.find("model")) {
         faults.add(*model,
                    "is of a scanner; give model, camera or ranger, and leave the others out");
     }
@@ -180,20 +182,20 @@ sim::Expected<> check_power_up(PowerUp power_up, const protocol::DeviceProfile& 
     return {};
 }
 
-SensorConfig read_sensor(const Field& field, SensorContext& context) {
-    Faults& faults = context.faults;
-    const Section section{field, sensor_keys, faults};
+SensorConfig read_sensor(const sim::YamlField& field, SensorContext& context) {
+    sim::YamlFaults& faults = context.faults;
+    const sim::YamlSection section{field, sensor_keys, faults};
     SensorConfig sensor;
     faults.take(field, parse_name(field.key), sensor.name);
     read_mount(section, sensor, faults, context.places);
     section.read("backend", sensor.backend, parse_backend);
-    if (const Field* depth = section.find("depth")) {
+    if (const sim::YamlField* depth = section.find("depth")) {
         sensor.depth = read_depth(*depth, sensor.backend, faults);
     }
     section.read("accuracy", sensor.accuracy, parse_accuracy);
     if (read_staring(section, sensor, faults)) {
         sensor.motion = 1;  // a picture is of one instant
-        if (const Field* field = section.find("accuracy");
+        if (const sim::YamlField* field = section.find("accuracy");
             field && sensor.accuracy == sim::Accuracy::material)
             faults.add(*field, "material is for scanners; use sensor or ideal");
     } else {

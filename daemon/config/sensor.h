@@ -11,9 +11,9 @@
 
 #include "daemon/config/claims.h"
 #include "daemon/config/models.h"
-#include "daemon/config/section.h"
 #include "daemon/config/sensor_config.h"
 #include "sim/expected.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
@@ -22,7 +22,7 @@ struct SensorContext {
     const ModelChoice& models;
     Claims& claims;
     std::filesystem::path base;  ///< of relative paths
-    Faults& faults;
+    sim::YamlFaults& faults;
     std::map<std::string, std::string>& places;  ///< as of Config
     std::string robot = {};                      ///< whose sensors are read
 };
@@ -31,6 +31,6 @@ struct SensorContext {
 [[nodiscard]] sim::Expected<> check_power_up(PowerUp power_up,
                                              const protocol::DeviceProfile& profile);
 
-SensorConfig read_sensor(const Field& field, SensorContext& context);
+SensorConfig read_sensor(const sim::YamlField& field, SensorContext& context);
 
 }  // namespace scipd::daemon

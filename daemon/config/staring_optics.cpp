@@ -44,15 +44,16 @@ sim::Expected<int> parse_beams(std::string_view text) {
     return parse_whole(text, 1, most_beams);
 }
 
-void require(const Section& section, const Field& map, Keys keys, Faults& faults) {
+void require(const sim::YamlSection& section, const sim::YamlField& map, Keys keys,
+             sim::YamlFaults& faults) {
     if (!map.value.IsMap()) return;
     for (const std::string_view key : keys) {
         if (!section.find(key)) faults.add(map, "needs " + std::string{key});
     }
 }
 
-void read_noise(const Field& field, sim::StaringSpec& spec, Faults& faults) {
-    const Section section{field, noise_keys, faults};
+void read_noise(const sim::YamlField& field, sim::StaringSpec& spec, sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, noise_keys, faults};
     sim::NoiseStep step{};
     section.read("sigma_m", step.sigma_m, parse_length);
     section.read("share", step.sigma_share, parse_share);
@@ -61,7 +62,7 @@ void read_noise(const Field& field, sim::StaringSpec& spec, Faults& faults) {
 }
 
 /// What both kinds have.
-void read_rest(const Section& section, sim::StaringSpec& spec, Faults& faults) {
+void read_rest(const sim::YamlSection& section, sim::StaringSpec& spec, sim::YamlFaults& faults) {
     section.read("rate_hz", spec.period, parse_rate);
     std::array<double, 2> range_m{0.0, 1.0};
     section.read_pair("range_m", range_m, parse_length);
@@ -74,13 +75,13 @@ void read_rest(const Section& section, sim::StaringSpec& spec, Faults& faults) {
         faults.warn(*section.find("range_m"), sim::millimetres_for_metres(range_m));
     spec.min_range_m = range_m[0];
     spec.max_range_m = range_m[1];
-    if (const Field* noise = section.find("noise")) read_noise(*noise, spec, faults);
+    if (const sim::YamlField* noise = section.find("noise")) read_noise(*noise, spec, faults);
 }
 
 }  // namespace
 
-sim::StaringSpec read_camera(const Field& field, Faults& faults) {
-    const Section section{field, camera_keys, faults};
+sim::StaringSpec read_camera(const sim::YamlField& field, sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, camera_keys, faults};
     require(section, field, {"columns", "rows", "fov_deg", "rate_hz", "range_m"}, faults);
     sim::PinholeGrid grid{1, 1, 1.0, 1.0};
     section.read("columns", grid.columns, parse_pixels);
@@ -97,8 +98,8 @@ sim::StaringSpec read_camera(const Field& field, Faults& faults) {
     return spec;
 }
 
-sim::StaringSpec read_ranger(const Field& field, Faults& faults) {
-    const Section section{field, ranger_keys, faults};
+sim::StaringSpec read_ranger(const sim::YamlField& field, sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, ranger_keys, faults};
     require(section, field, {"cone_deg", "beams", "rate_hz", "range_m"}, faults);
     sim::RangerOptics optics{.cone = {1.0, 1}};
     section.read("cone_deg", optics.cone.opening_rad, parse_cone);
@@ -109,9 +110,9 @@ sim::StaringSpec read_ranger(const Field& field, Faults& faults) {
     return spec;
 }
 
-void refuse_wire(const Section& sensor, Faults& faults) {
+void refuse_wire(const sim::YamlSection& sensor, sim::YamlFaults& faults) {
     for (const std::string_view key : wire_keys) {
-        if (const Field* field = sensor.find(key)) {
+        if (const sim::YamlField* field = sensor.find(key)) {
             faults.add(*field,
                        "is of scanners, which speak SCIP; a camera or ranger is read through the "
                        "control API: leave it out");

@@ -5,15 +5,15 @@
 // thread at a time.
 #pragma once
 
-#include "daemon/config/section.h"
+#include "sim/loaders/yaml/yaml_section.h"
 #include "sim/sensor/staring.h"
 
 namespace scipd::daemon {
 
-sim::StaringSpec read_camera(const Field& field, Faults& faults);
-sim::StaringSpec read_ranger(const Field& field, Faults& faults);
+sim::StaringSpec read_camera(const sim::YamlField& field, sim::YamlFaults& faults);
+sim::StaringSpec read_ranger(const sim::YamlField& field, sim::YamlFaults& faults);
 
 /// Keys of a scanner's wire are faults here.
-void refuse_wire(const Section& sensor, Faults& faults);
+void refuse_wire(const sim::YamlSection& sensor, sim::YamlFaults& faults);
 
 }  // namespace scipd::daemon

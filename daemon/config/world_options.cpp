@@ -24,9 +24,9 @@ sim::Expected<sim::UnknownCells> parse_unknown(std::string_view text) {
     return sim::refuse("must be free, wall or unknown, not '" + std::string(text) + "'");
 }
 
-void read_heights(const Field& field, sim::MapOptions& options, Faults& faults) {
+void read_heights(const sim::YamlField& field, sim::MapOptions& options, sim::YamlFaults& faults) {
     const std::string advice = "must be the heights of the walls, [BOTTOM, TOP], such as [0, 2]";
-    const auto heights_m = numbers_of(field.value, 2, parse_metres, advice);
+    const auto heights_m = sim::numbers_of(field.value, 2, parse_metres, advice);
     if (!heights_m) return faults.add(field, heights_m.error().why);
     options.bottom_m = heights_m->front();
     options.top_m = heights_m->back();
@@ -70,17 +70,17 @@ sim::Expected<std::chrono::seconds> parse_load_time(std::string_view text) {
 
 }  // namespace
 
-sim::MapOptions read_map(const Field& field, Faults& faults) {
-    const Section section{field, map_keys, faults};
+sim::MapOptions read_map(const sim::YamlField& field, sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, map_keys, faults};
     sim::MapOptions options;
-    if (const Field* z = section.find("z")) read_heights(*z, options, faults);
+    if (const sim::YamlField* z = section.find("z")) read_heights(*z, options, faults);
     section.read("material", options.material);
     section.read("unknown", options.unknown, parse_unknown);
     return options;
 }
 
-void read_limits(const Field& field, Config& config, Faults& faults) {
-    const Section section{field, keys_of(limit_table, world_keys), faults};
+void read_limits(const sim::YamlField& field, Config& config, sim::YamlFaults& faults) {
+    const sim::YamlSection section{field, keys_of(limit_table, world_keys), faults};
     WorldLimits& world = config.limits;
     section.read("world_memory_mb", world.memory_bytes, parse_megabytes);
     section.read("world_triangles", world.triangles, parse_triangles);

@@ -8,17 +8,17 @@
 #pragma once
 
 #include "daemon/config/config.h"
-#include "daemon/config/section.h"
 #include "sim/loaders/map/map_options.h"
 #include "sim/loaders/scene_file.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
 /// `field` is the value of the root's key `map`.
-sim::MapOptions read_map(const Field& field, Faults& faults);
+sim::MapOptions read_map(const sim::YamlField& field, sim::YamlFaults& faults);
 
 /// `field` is the value of the root's key `limits`.
-void read_limits(const Field& field, Config& config, Faults& faults);
+void read_limits(const sim::YamlField& field, Config& config, sim::YamlFaults& faults);
 
 /// Sets the limits for all that is loaded with these options. One mesh of a world may be as large
 /// as all of it. The memory is what a world may take, and what the readers of its meshes may take

@@ -60,7 +60,8 @@ class ByteEffect : public FaultEffect {
         {"bytes", read_map<&Members::bytes, byte_choice_members>},
         {"messages", read_as<&Members::messages, parse_word<message_choices>>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         const bool none = members.bytes.at && members.bytes.at->empty();
         if (members.bytes.rate.has_value() != members.bytes.at.has_value() && !none) return;
         faults.add(fault, "needs either bytes: {rate: 0..1} or bytes: {at: [offsets]}");
@@ -191,7 +192,8 @@ class Noise final : public FaultEffect {
         {"count", read_as<&Members::count, parse_noise_count>},
         {"value", read_as<&Members::random, parse_word<noise_words>>},
     };
-    static void check(const Members& /*members*/, const Field& /*fault*/, Faults& /*faults*/) {}
+    static void check(const Members& /*members*/, const sim::YamlField& /*fault*/,
+                      sim::YamlFaults& /*faults*/) {}
 
     explicit Noise(const Members& members) : members_(members) {}
 

@@ -54,7 +54,7 @@ class WrongClock : public FaultEffect {
         {"frozen", read_as<&Members::frozen, parse_switch>},
         {"repeat", read_as<&Members::repeat, parse_repeat>},
     };
-    static void check(const Members& read, const Field& fault, Faults& faults) {
+    static void check(const Members& read, const sim::YamlField& fault, sim::YamlFaults& faults) {
         const int given = (read.jump_ms ? 1 : 0) + (read.ppm ? 1 : 0) + (read.wrap_in ? 1 : 0) +
                           (read.frozen ? 1 : 0) + (read.repeat ? 1 : 0);
         if (given != 1)

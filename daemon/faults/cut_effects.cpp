@@ -53,7 +53,8 @@ class CutLine final : public FaultEffect {
         {"how", read_as<&Members::how, parse_word<cut_words>>},
         {"boot", read_as<&Members::boots, parse_switch>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (fault.value["until"])
             return faults.add(fault, "needs for instead of until: no request comes in meanwhile");
         if (members.how == CutKind::fin || members.how == CutKind::rst) return;
@@ -115,7 +116,8 @@ class HangUp final : public FaultEffect {
   public:
     using Members = NoMembers;
     static constexpr auto members = no_members;
-    static void check(const Members& /*members*/, const Field& /*fault*/, Faults& /*faults*/) {}
+    static void check(const Members& /*members*/, const sim::YamlField& /*fault*/,
+                      sim::YamlFaults& /*faults*/) {}
 
     explicit HangUp(const Members& /*members*/) {}
 

@@ -33,7 +33,7 @@ class Reboot : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"boot_s", read_as<&Members::boot_time, parse_up_to_hour>},
     };
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit Reboot(const Members& members) : members_(members) {}
 
@@ -60,7 +60,8 @@ class InTrouble : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"state", read_as<&Members::state, parse_word<states>>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (members.state == Trouble::none)
             faults.add(fault, "needs state: unstable, recovering, laser or abnormal");
     }
@@ -82,7 +83,7 @@ class Asleep : public FaultEffect {
   public:
     using Members = NoMembers;
     static constexpr auto& members = no_members;
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit Asleep(const Members&) {}
 
@@ -105,7 +106,8 @@ class Motor : public FaultEffect {
         {"percent", read_as<&Members::percent, parse_percent>},
         {"spin_up_s", read_as<&Members::spin_up, parse_up_to_hour>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (members.percent.value_or(0.0) == 0.0 && !members.spin_up)
             faults.add(fault, "needs percent, of its speed and not 0, or spin_up_s");
     }

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "daemon/config/members.h"
-#include "daemon/config/section.h"
 #include "daemon/faults/fault_effect.h"
+#include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
 
@@ -30,7 +30,8 @@ struct FaultKind {
     /// The keys of the kind's own members.
     std::vector<std::string_view> (*keys)();
     /// Reads the kind's own members of a fault. What is wrong becomes a fault of its field.
-    MakeEffect (*read)(const Field& fault, const Section& section, Faults& faults);
+    MakeEffect (*read)(const sim::YamlField& fault, const sim::YamlSection& section,
+                       sim::YamlFaults& faults);
 };
 
 /// A row for an effect. It has a `struct Members`, which its constructor takes, a table `members`
@@ -46,7 +47,8 @@ constexpr FaultKind kind_of(std::string_view name, std::string_view layer, std::
         .momentary = momentary,
         .keys = [] { return keys_of(Effect::members); },
         .read =
-            [](const Field& fault, const Section& section, Faults& faults) {
+            [](const sim::YamlField& fault, const sim::YamlSection& section,
+               sim::YamlFaults& faults) {
                 typename Effect::Members members;
                 const std::size_t before = faults.count();
                 read_members(section, Effect::members, members, faults);

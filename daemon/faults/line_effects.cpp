@@ -29,7 +29,8 @@ class Delay final : public FaultEffect {
         {"ms", read_as<&Members::delay, parse_link_delay>},
         {"jitter_ms", read_as<&Members::jitter, parse_link_delay>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (!members.delay) faults.add(fault, "needs ms, how late each message arrives");
     }
 
@@ -55,7 +56,8 @@ class Coalesce final : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"ms", read_as<&Members::time, parse_link_delay>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (!members.time) faults.add(fault, "needs ms, within which messages leave together");
     }
 
@@ -99,7 +101,8 @@ class Split final : public FaultEffect {
         {"bytes", read_map<&Members::bytes, split_choice_members>},
         {"pause_ms", read_as<&Members::pause, parse_link_delay>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (members.bytes.at.empty() == (members.bytes.every == 0))
             faults.add(fault, "needs either bytes: {at: [offsets]} or bytes: {every: N}");
     }
@@ -144,7 +147,8 @@ class Stall final : public FaultEffect {
   public:
     using Members = NoMembers;
     static constexpr auto members = no_members;
-    static void check(const Members& /*members*/, const Field& /*fault*/, Faults& /*faults*/) {}
+    static void check(const Members& /*members*/, const sim::YamlField& /*fault*/,
+                      sim::YamlFaults& /*faults*/) {}
 
     explicit Stall(const Members& /*members*/) {}
 

@@ -64,7 +64,7 @@ class WrongSums : public FaultEffect {
         {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit WrongSums(const Members& members) : members_(members) {}
 
@@ -99,7 +99,7 @@ class Truncated : public FaultEffect {
         {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit Truncated(const Members& members) : members_(members) {}
 
@@ -133,7 +133,7 @@ class MissingLineFeeds : public FaultEffect {
         {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit MissingLineFeeds(const Members& members) : members_(members) {}
 
@@ -162,7 +162,7 @@ class WrongEcho : public FaultEffect {
         {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit WrongEcho(const Members& members) : members_(members) {}
 
@@ -196,7 +196,7 @@ class Resent : public FaultEffect {
         {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit Resent(const Members& members) : members_(members) {}
 
@@ -236,17 +236,20 @@ class WrongStatus : public FaultEffect {
         {"status", read_as<&Members::status, parse_status>},
         {"command", read_as<&Members::command, parse_code>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (!members.status) faults.add(fault, "needs status: what is answered, such as 0L");
     }
     /// Without a command it is that of the request that the fault begins with.
-    static MakeEffect maker(const Field& fault, const Section& section, Faults& faults) {
+    static MakeEffect maker(const sim::YamlField& fault, const sim::YamlSection& section,
+                            sim::YamlFaults& faults) {
         Members read;
         read_members(section, members, read, faults);
         check(read, fault, faults);
-        const Field* const at = section.find("at");
-        const auto request = at ? entry_of(*at, "request") : std::nullopt;
-        if (read.command.empty() && request) read.command = text_of(request->value).value_or("");
+        const sim::YamlField* const at = section.find("at");
+        const auto request = at ? sim::entry_of(*at, "request") : std::nullopt;
+        if (read.command.empty() && request)
+            read.command = sim::text_of(request->value).value_or("");
         return [read] { return std::make_unique<WrongStatus>(read); };
     }
 

@@ -36,7 +36,8 @@ class WrongPoses : public FaultEffect {
         {"xyz", read_list<&Members::xyz_m, parse_metres>},
         {"rpy", read_list<&Members::rpy_rad, parse_radians>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (members.how == How::unsaid) faults.add(fault, "needs how: stop, late or jump");
         if (members.how == How::late && members.late <= sim::Time::zero())
             faults.add(fault, "needs ms: how late the poses are");

@@ -13,11 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <yaml-cpp/yaml.h>
 
-#include "daemon/config/config_error.h"
 #include "daemon/config/members.h"
 #include "daemon/config/numbers.h"
 #include "daemon/config/values.h"
 #include "protocol/command_table.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/poses/small_json.h"
 #include "sim/text/near_word.h"
 #include "sim/text/quote.h"
@@ -63,9 +63,9 @@ Expected<sim::Time> parse_lasting(std::string_view text) {
 }
 
 template <class Value, auto parse, class Choice>
-void read_as_choice(const Field& field, Choice& choice, Faults& faults) {
+void read_as_choice(const sim::YamlField& field, Choice& choice, sim::YamlFaults& faults) {
     const auto wrapped = [](auto value) { return Value{std::move(value)}; };
-    faults.take(field, text_of(field.value).and_then(parse).map(wrapped), choice);
+    faults.take(field, sim::text_of(field.value).and_then(parse).map(wrapped), choice);
 }
 
 constexpr std::array<Member<FaultStart>, 5> starts{{
@@ -90,33 +90,34 @@ constexpr std::array<Member<FaultRepetition>, 2> jitters{{
 
 /// A map that has one of the keys of the table, and none but `besides`.
 template <class Table, class Choice>
-Section read_one_of(const Table& table, const Field& map, Choice& choice, Faults& faults,
-                    std::span<const std::string_view> besides = {}) {
+sim::YamlSection read_one_of(const Table& table, const sim::YamlField& map, Choice& choice,
+                             sim::YamlFaults& faults,
+                             std::span<const std::string_view> besides = {}) {
     const std::size_t before = faults.count();
-    Section section{map, keys_of(table, besides), faults};
+    sim::YamlSection section{map, keys_of(table, besides), faults};
     const bool sound = faults.count() == before;
     const auto given =
         std::ranges::count_if(table, [&](const auto& member) { return section.find(member.key); });
-    if (given == 0 && sound) faults.add(map, "needs one of " + listed(keys_of(table)));
-    if (given > 1) faults.add(map, "must have only one of " + listed(keys_of(table)));
+    if (given == 0 && sound) faults.add(map, "needs one of " + sim::listed(keys_of(table)));
+    if (given > 1) faults.add(map, "must have only one of " + sim::listed(keys_of(table)));
     read_members(section, table, choice, faults);
     return section;
 }
 
-void read_start(const Field& map, FaultStart& start, Faults& faults) {
+void read_start(const sim::YamlField& map, FaultStart& start, sim::YamlFaults& faults) {
     static constexpr std::array<std::string_view, 1> besides{"nth"};
-    const Section section = read_one_of(starts, map, start, faults, besides);
-    const Field* const nth = section.find("nth");
+    const sim::YamlSection section = read_one_of(starts, map, start, faults, besides);
+    const sim::YamlField* const nth = section.find("nth");
     if (!nth) return;
     int number = 1;
-    faults.take(*nth, text_of(nth->value).and_then(parse_nth), number);
+    faults.take(*nth, sim::text_of(nth->value).and_then(parse_nth), number);
     if (!section.find("request")) faults.add(*nth, "is of request; leave it out");
     if (auto* const request = std::get_if<AtRequest>(&start)) request->nth = number;
 }
 
-void read_end(const Section& section, FaultEnd& end, Faults& faults) {
-    const Field* const lasts = section.find("for");
-    const Field* const until = section.find("until");
+void read_end(const sim::YamlSection& section, FaultEnd& end, sim::YamlFaults& faults) {
+    const sim::YamlField* const lasts = section.find("for");
+    const sim::YamlField* const until = section.find("until");
     if (lasts) read_one_of(ends, *lasts, end, faults);
     if (until) read_as_choice<UntilRequest, parse_code>(*until, end, faults);
     if (lasts && until) faults.add(*until, "cannot stand beside for; leave one of them out");
@@ -132,7 +133,7 @@ Expected<> add_jitter(Every<Distance>& every, const FaultRepetition& jitter) {
     return {};
 }
 
-void read_jitter(const Field& field, FaultRepetition& every, Faults& faults) {
+void read_jitter(const sim::YamlField& field, FaultRepetition& every, sim::YamlFaults& faults) {
     FaultRepetition jitter;
     read_one_of(jitters, field, jitter, faults);
     if (std::holds_alternative<std::monostate>(jitter)) return;
@@ -142,10 +143,11 @@ void read_jitter(const Field& field, FaultRepetition& every, Faults& faults) {
         faults.require(field, add_jitter(*time, jitter));
 }
 
-void read_repetition(const Section& section, FaultRepetition& repetition, Faults& faults) {
-    const Field* const every = section.find("every");
-    const Field* const jitter = section.find("jitter");
-    const Field* const at = section.find("at");
+void read_repetition(const sim::YamlSection& section, FaultRepetition& repetition,
+                     sim::YamlFaults& faults) {
+    const sim::YamlField* const every = section.find("every");
+    const sim::YamlField* const jitter = section.find("jitter");
+    const sim::YamlField* const at = section.find("at");
     if (every) read_one_of(distances, *every, repetition, faults);
     if (every && at) faults.add(*at, "cannot stand beside every; leave one of them out");
     if (jitter) read_jitter(*jitter, repetition, faults);
@@ -156,20 +158,21 @@ std::string unknown_kind(const std::string& name, std::span<const std::string_vi
     const auto near = sim::meant(name, names);
     return "there is no kind " + sim::quote(name) + "; " +
            (near ? "did you mean " + std::string(*near) + "? There are " : "there are ") +
-           listed(names);
+           sim::listed(names);
 }
 
 /// Null: it has faults, or the whole is no map.
-const FaultKind* read_kind(const Field& map, const FaultKinds& kinds, Faults& faults) {
+const FaultKind* read_kind(const sim::YamlField& map, const FaultKinds& kinds,
+                           sim::YamlFaults& faults) {
     if (!map.value.IsMap()) return nullptr;
     std::vector<std::string_view> names;
     std::ranges::transform(kinds, std::back_inserter(names), &FaultKind::name);
-    const auto field = entry_of(map, "kind");
+    const auto field = sim::entry_of(map, "kind");
     if (!field) {
-        faults.add(map, "needs a kind: one of " + listed(names));
+        faults.add(map, "needs a kind: one of " + sim::listed(names));
         return nullptr;
     }
-    const auto name = text_of(field->value);
+    const auto name = sim::text_of(field->value);
     const auto found = std::ranges::find(kinds, name.value_or(""), &FaultKind::name);
     if (found != kinds.end()) return *found;
     faults.add(*field, name ? unknown_kind(*name, names) : name.error().why);
@@ -206,8 +209,9 @@ Json said_by(const YAML::Node& node) {
     return node.Scalar();
 }
 
-void require_an_end(const Section& section, const FaultPlan& plan, Faults& faults) {
-    const Field* const every = section.find("every");
+void require_an_end(const sim::YamlSection& section, const FaultPlan& plan,
+                    sim::YamlFaults& faults) {
+    const sim::YamlField* const every = section.find("every");
     const bool lasts = plan.kind != nullptr && !plan.kind->momentary &&
                        section.find("for") == nullptr && section.find("until") == nullptr;
     if (every && lasts)
@@ -237,13 +241,14 @@ YAML::Node yaml_of(const Json& json) {
 
 }  // namespace
 
-std::optional<FaultPlan> read_fault(const Field& map, std::span<const std::string_view> also,
-                                    Faults& faults, const FaultKinds& kinds) {
+std::optional<FaultPlan> read_fault(const sim::YamlField& map,
+                                    std::span<const std::string_view> also, sim::YamlFaults& faults,
+                                    const FaultKinds& kinds) {
     const std::size_t before = faults.count();
     FaultPlan plan;
     plan.kind = read_kind(map, kinds, faults);
-    const Section section{map, known_keys(plan.kind, kinds, also), faults};
-    if (const Field* const at = section.find("at")) read_start(*at, plan.start, faults);
+    const sim::YamlSection section{map, known_keys(plan.kind, kinds, also), faults};
+    if (const sim::YamlField* const at = section.find("at")) read_start(*at, plan.start, faults);
     read_end(section, plan.end, faults);
     read_repetition(section, plan.every, faults);
     require_an_end(section, plan, faults);
@@ -265,11 +270,11 @@ Expected<FaultPlan> parse_fault(const std::string& json, const FaultKinds& kinds
     if (!object) return sim::refuse("must be a JSON object: " + object.error().why);
     if (!object->is_object())
         return sim::refuse(R"(must be a JSON object such as {"kind":"reboot"})");
-    Faults faults{"fault"};
+    sim::YamlFaults faults{"fault"};
     try {
         if (auto plan = read_fault({{}, {}, 1, yaml_of(*object)}, {}, faults, kinds))
             return *std::move(plan);
-    } catch (const ConfigError&) {
+    } catch (const sim::LoadError&) {
         // The faults have it: there were too many.
     }
     return tl::unexpected(*faults.first());

@@ -26,7 +26,7 @@ class RepeatedScans : public FaultEffect {
   public:
     using Members = RateMembers;
     static constexpr auto& members = rate_members;
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit RepeatedScans(const Members& members) : members_(members) {}
 
@@ -46,7 +46,7 @@ class ReorderedScans : public FaultEffect {
   public:
     using Members = RateMembers;
     static constexpr auto& members = rate_members;
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit ReorderedScans(const Members& members) : members_(members) {}
 

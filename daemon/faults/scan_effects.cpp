@@ -20,7 +20,7 @@ class FrozenScans : public FaultEffect {
   public:
     using Members = NoMembers;
     static constexpr auto& members = no_members;
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit FrozenScans(const Members&) {}
 
@@ -50,7 +50,7 @@ class MissingScans : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"rate", read_as<&Members::rate, parse_share>},
     };
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit MissingScans(const Members& members) : members_(members) {}
 
@@ -74,7 +74,8 @@ class LateScans : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"ms", read_as<&Members::late, parse_wait>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (members.late <= sim::Time::zero())
             faults.add(fault, "needs ms: how much later scans leave");
     }
@@ -105,7 +106,8 @@ class ShiftedScans : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"by", read_as<&Members::by, parse_by>},
     };
-    static void check(const Members& members, const Field& fault, Faults& faults) {
+    static void check(const Members& members, const sim::YamlField& fault,
+                      sim::YamlFaults& faults) {
         if (members.by == 0) faults.add(fault, "needs by: how many steps, not 0");
     }
 
@@ -138,7 +140,7 @@ class NoIntensity : public FaultEffect {
   public:
     using Members = NoMembers;
     static constexpr auto& members = no_members;
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit NoIntensity(const Members&) {}
 

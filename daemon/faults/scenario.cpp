@@ -9,11 +9,10 @@
 #include <string_view>
 #include <utility>
 
-#include "daemon/config/config_error.h"
-#include "daemon/config/section.h"
 #include "daemon/config/values.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/yaml/yaml_section.h"
 #include "sim/text/quote.h"
 
 namespace scipd::daemon {
@@ -34,7 +33,7 @@ bool is_sensor_name(std::string_view text) {
 class ScenarioReader {
   public:
     ScenarioReader(const std::optional<std::vector<std::string>>& sensors, const FaultKinds& kinds,
-                   Faults& faults)
+                   sim::YamlFaults& faults)
         : kinds_(kinds), faults_(faults) {
         if (sensors) sensors_.emplace(sensors->begin(), sensors->end());
     }
@@ -42,23 +41,23 @@ class ScenarioReader {
     Scenario read(const YAML::Node& document);
 
   private:
-    std::vector<ScenarioStep> read_steps(const Field& list);
-    std::optional<ScenarioStep> read_step(const Field& map);
-    std::string read_sensor(const Field& map);
+    std::vector<ScenarioStep> read_steps(const sim::YamlField& list);
+    std::optional<ScenarioStep> read_step(const sim::YamlField& map);
+    std::string read_sensor(const sim::YamlField& map);
     [[nodiscard]] sim::Expected<std::string> parse_sensor(const std::string& text) const;
 
     std::optional<std::vector<std::string_view>> sensors_;
     const FaultKinds& kinds_;
-    Faults& faults_;
+    sim::YamlFaults& faults_;
 };
 
 Scenario ScenarioReader::read(const YAML::Node& document) {
-    const Field whole{{}, {}, 1, document};
+    const sim::YamlField whole{{}, {}, 1, document};
     const std::size_t before = faults_.count();
-    const Section section{whole, scenario_keys, faults_};
+    const sim::YamlSection section{whole, scenario_keys, faults_};
     Scenario scenario;
     section.read("seed", scenario.seed, parse_seed);
-    if (const Field* const steps = section.find("steps")) {
+    if (const sim::YamlField* const steps = section.find("steps")) {
         scenario.steps = read_steps(*steps);
     } else if (faults_.count() == before) {
         faults_.add(whole, "needs steps, a list of what goes wrong");
@@ -66,7 +65,7 @@ Scenario ScenarioReader::read(const YAML::Node& document) {
     return scenario;
 }
 
-std::vector<ScenarioStep> ScenarioReader::read_steps(const Field& list) {
+std::vector<ScenarioStep> ScenarioReader::read_steps(const sim::YamlField& list) {
     std::vector<ScenarioStep> steps;
     const bool right = list.value.IsSequence() && list.value.size() >= 1;
     if (!right || list.value.size() > most_steps) {
@@ -82,18 +81,18 @@ std::vector<ScenarioStep> ScenarioReader::read_steps(const Field& list) {
     return steps;
 }
 
-std::optional<ScenarioStep> ScenarioReader::read_step(const Field& map) {
+std::optional<ScenarioStep> ScenarioReader::read_step(const sim::YamlField& map) {
     std::string sensor = read_sensor(map);
     auto fault = read_fault(map, sensor_key, faults_, kinds_);
     if (!fault) return std::nullopt;
     return ScenarioStep{std::move(sensor), *std::move(fault)};
 }
 
-std::string ScenarioReader::read_sensor(const Field& map) {
+std::string ScenarioReader::read_sensor(const sim::YamlField& map) {
     std::string sensor;
     if (!map.value.IsMap()) return sensor;
-    if (const auto field = entry_of(map, "sensor")) {
-        faults_.take(*field, text_of(field->value).and_then([this](const std::string& text) {
+    if (const auto field = sim::entry_of(map, "sensor")) {
+        faults_.take(*field, sim::text_of(field->value).and_then([this](const std::string& text) {
             return parse_sensor(text);
         }),
                      sensor);
@@ -113,7 +112,7 @@ sim::Expected<std::string> ScenarioReader::parse_sensor(const std::string& text)
     if (std::ranges::find(*sensors_, text) != sensors_->end()) return text;
     const std::string refusal = "there is no scanner " + sim::quote(text);
     if (sensors_->empty()) return sim::refuse(refusal + ", nor any other");
-    return sim::refuse(refusal + R"(; there are "*" for every one, )" + listed(*sensors_));
+    return sim::refuse(refusal + R"(; there are "*" for every one, )" + sim::listed(*sensors_));
 }
 
 }  // namespace
@@ -128,10 +127,11 @@ bool Scenario::operator==(const Scenario& other) const {
 Scenario parse_scenario(const std::string& text, const std::string& name,
                         const std::optional<std::vector<std::string>>& sensors,
                         const FaultKinds& kinds) {
-    Faults faults{name};
+    sim::YamlFaults faults{name};
     if (text.size() > largest_scenario) faults.add(1, {}, "larger than 1 MiB; split it");
     faults.throw_if_any();
-    Scenario scenario = ScenarioReader{sensors, kinds, faults}.read(parse_document(text, faults));
+    Scenario scenario =
+        ScenarioReader{sensors, kinds, faults}.read(sim::parse_yaml(text, "a scenario", faults));
     faults.throw_if_any();
     scenario.name = name;
     return scenario;
@@ -140,12 +140,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
 Scenario load_scenario(const std::filesystem::path& file,
                        const std::optional<std::vector<std::string>>& sensors,
                        const FaultKinds& kinds) {
-    std::string text;
-    try {
-        text = sim::read_file(file, largest_scenario, "name a scenario of at most 1 MiB");
-    } catch (const sim::LoadError& error) {
-        throw ConfigError(error.faults());
-    }
+    const auto text = sim::read_file(file, largest_scenario, "name a scenario of at most 1 MiB");
     return parse_scenario(text, file.string(), sensors, kinds);
 }
 

@@ -35,7 +35,7 @@ struct Scenario {
 
 /// `name` stands before each fault of the text: "FILE:LINE: KEY: sentence", where the third step is
 /// "steps.3". `sensors` are the scanners that there are; nothing: any name will do. Throws
-/// ConfigError with all faults.
+/// sim::LoadError with all faults.
 Scenario parse_scenario(const std::string& text, const std::string& name,
                         const std::optional<std::vector<std::string>>& sensors,
                         const FaultKinds& kinds = fault_kinds());

@@ -36,7 +36,8 @@ struct Sector {
     }
 };
 
-void check_sector(const Sector& sector, const Field& fault, Faults& faults, bool needed) {
+void check_sector(const Sector& sector, const sim::YamlField& fault, sim::YamlFaults& faults,
+                  bool needed) {
     if (sector.steps.empty() && !needed) return;
     if (sector.steps.size() != 2 || sector.steps[0] > sector.steps[1])
         faults.add(fault, "needs steps: the first and the last, such as [400, 500]");
@@ -87,7 +88,7 @@ class DirtyWindow : public FaultEffect {
         {"steps", read_list<&Members::steps, parse_step>},
         {"reads", read_as<&Members::reads, parse_word<all_reads>>},
     };
-    static void check(const Members& read, const Field& fault, Faults& faults) {
+    static void check(const Members& read, const sim::YamlField& fault, sim::YamlFaults& faults) {
         check_sector(read, fault, faults, true);
     }
 
@@ -121,7 +122,7 @@ class BlindSector : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"steps", read_list<&Members::steps, parse_step>},
     };
-    static void check(const Members& read, const Field& fault, Faults& faults) {
+    static void check(const Members& read, const sim::YamlField& fault, sim::YamlFaults& faults) {
         check_sector(read, fault, faults, true);
     }
 
@@ -150,7 +151,7 @@ class Salt : public FaultEffect {
         {"steps", read_list<&Members::steps, parse_step>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
-    static void check(const Members& read, const Field& fault, Faults& faults) {
+    static void check(const Members& read, const sim::YamlField& fault, sim::YamlFaults& faults) {
         check_sector(read, fault, faults, false);
     }
 
@@ -182,7 +183,7 @@ class StuckSector : public FaultEffect {
         {"steps", read_list<&Members::steps, parse_step>},
         {"range_m", read_as<&Members::range_m, parse_length>},
     };
-    static void check(const Members& read, const Field& fault, Faults& faults) {
+    static void check(const Members& read, const sim::YamlField& fault, sim::YamlFaults& faults) {
         check_sector(read, fault, faults, true);
     }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "daemon/config/config_error.h"
 #include "daemon/plan/load_world.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 namespace {
@@ -28,8 +28,8 @@ std::optional<Scenario> load_scenario(const Config& config) {
     if (config.scenario.empty()) return std::nullopt;
     try {
         return load_scenario(config.scenario, scanners_of(config));
-    } catch (const ConfigError& error) {
-        throw named_at(config.place_of("scenario"), sim::LoadError(error.faults()));
+    } catch (const sim::LoadError& error) {
+        throw named_at(config.place_of("scenario"), error);
     }
 }
 

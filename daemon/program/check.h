@@ -14,7 +14,7 @@
 namespace scipd::daemon {
 
 /// `options` as they would be given to run it. Warnings and what there is, for a person. Throws
-/// ConfigError, or LoadError with every fault of all the files that a sound configuration names.
+/// LoadError with every fault of all the files that a sound configuration names.
 std::string check(const std::filesystem::path& file, const Options& options = Options());
 
 }  // namespace scipd::daemon

@@ -13,7 +13,7 @@
 namespace scipd::daemon {
 
 /// Warnings and what there is, for a person. Where it is `strict`, what a world or a trajectory
-/// would cause a warning for is a fault. Throws ConfigError or LoadError with every fault.
+/// would cause a warning for is a fault. Throws LoadError with every fault.
 std::string check_file(FileKind kind, const std::filesystem::path& file, bool strict);
 
 }  // namespace scipd::daemon

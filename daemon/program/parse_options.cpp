@@ -136,8 +136,6 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
         return Answer{0, std::string{version.what()} + "\n"};
     } catch (const CLI::ExtrasError& error) {
         return wrong_options(unknown_word(app).value_or(error.what()));
-    } catch (const ConfigError& error) {
-        return refusal(error.what());
     } catch (const sim::LoadError& error) {
         return refusal(error.what());
     } catch (const std::exception& error) {

@@ -49,7 +49,7 @@ void check(const Config& config) {
     }
 }
 
-void check(const ConfigError& error) {
+void check(const scipd::sim::LoadError& error) {
     require(!error.faults().empty());
     for (const auto& fault : error.faults()) {
         require(fault.starts_with("rig.yaml:"));
@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string text{reinterpret_cast<const char*>(data), size};
     try {
         check(parse_config(text, "rig.yaml"));
-    } catch (const ConfigError& error) {
+    } catch (const scipd::sim::LoadError& error) {
         check(error);
     }
     return 0;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "daemon/config/config_error.h"
 #include "daemon/faults/scenario.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace {
 
@@ -38,7 +38,7 @@ void check(const Scenario& scenario) {
     }
 }
 
-void check(const ConfigError& error) {
+void check(const scipd::sim::LoadError& error) {
     require(!error.faults().empty());
     for (const auto& fault : error.faults()) {
         require(fault.starts_with("bad_day.yaml:"));
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string text{reinterpret_cast<const char*>(data), size};
     try {
         check(parse_scenario(text, "bad_day.yaml", std::vector<std::string>{"rescue/front"}));
-    } catch (const ConfigError& error) {
+    } catch (const scipd::sim::LoadError& error) {
         check(error);
     }
     if (const auto plan = parse_fault(text)) check(*plan);

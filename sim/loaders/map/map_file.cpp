@@ -11,11 +11,10 @@
 #include <string_view>
 #include <utility>
 
-#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
 
 #include "sim/expected.h"
-#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/yaml/yaml_document.h"
 #include "sim/text/quote.h"
 #include "sim/world/reach.h"
 
@@ -112,44 +111,35 @@ std::string why_no_map(const YAML::Node& document) {
 /// Reads key by key. After a fault it goes on with the next key, so as to report all of them.
 class MapFileReader {
   public:
-    MapFileReader(const YAML::Node& document, const fs::path& file)
-        : document_(document), file_(file) {}
+    MapFileReader(const YAML::Node& document, const fs::path& file, YamlFaults& faults)
+        : document_{.value = document}, file_(file), faults_(faults) {}
 
     MapFile read() &&;
 
   private:
+    /// False if there is no such key.
     template <typename Read, typename Value>
     bool take(const char* key, const Read& read, Value& target);
     template <typename Read, typename Value>
     void want(const char* key, const Read& read, Value& target);
     void read_thresholds();
-    void add_fault(int line, const std::string& text) {
-        faults_.push_back(file_.string() + ':' + std::to_string(line) + ": " + text);
-    }
 
-    const YAML::Node document_;
+    const YamlField document_;
     fs::path file_;
+    YamlFaults& faults_;
     MapFile map_;
-    std::vector<std::string> faults_;
 };
 
-/// False if there is no such key.
 template <typename Read, typename Value>
 bool MapFileReader::take(const char* key, const Read& read, Value& target) {
-    const YAML::Node node = document_[key];
-    if (!node.IsDefined()) return false;
-    if (auto value = read(node)) {
-        target = std::move(*value);
-    } else {
-        add_fault(node.Mark().line + 1, std::string(key) + ": " + value.error().why);
-    }
-    return true;
+    const auto field = entry_of(document_, key);
+    if (field) faults_.take(*field, read(field->value), target);
+    return field.has_value();
 }
 
 template <typename Read, typename Value>
 void MapFileReader::want(const char* key, const Read& read, Value& target) {
-    if (take(key, read, target)) return;
-    add_fault(1, std::string(key) + ": is missing; every map has one");
+    if (!take(key, read, target)) faults_.add(1, key, "is missing; every map has one");
 }
 
 void MapFileReader::read_thresholds() {
@@ -160,17 +150,15 @@ void MapFileReader::read_thresholds() {
     };
     read("occupied_thresh", map_.occupied_above, "0.65");
     read("free_thresh", map_.free_below, "0.196");
-    if (faults_.empty() && map_.free_below > map_.occupied_above) {
-        add_fault(
-            document_["free_thresh"].IsDefined() ? document_["free_thresh"].Mark().line + 1 : 1,
-            "free_thresh: must not be above occupied_thresh");
-    }
+    if (faults_.count() > 0 || map_.free_below <= map_.occupied_above) return;
+    const auto given = entry_of(document_, "free_thresh");
+    faults_.add(given ? given->line : 1, "free_thresh", "must not be above occupied_thresh");
 }
 
 MapFile MapFileReader::read() && {
-    if (const std::string why = why_no_map(document_); !why.empty()) {
-        add_fault(1, why);
-        throw LoadError(std::move(faults_));
+    if (const std::string why = why_no_map(document_.value); !why.empty()) {
+        faults_.add(1, {}, why);
+        faults_.throw_if_any();
     }
     const auto image = [&](const YAML::Node& node) {
         return image_path(node, file_.parent_path());
@@ -184,28 +172,15 @@ MapFile MapFileReader::read() && {
     map_.origin_m = origin.xy_m;
     map_.yaw_rad = origin.yaw_rad;
     read_thresholds();
-    if (!faults_.empty()) throw LoadError(std::move(faults_));
+    faults_.throw_if_any();
     return std::move(map_);
-}
-
-YAML::Node parse_yaml(const std::string& text, const fs::path& file) {
-    const auto refuse = [&](int line, const std::string& what) {
-        throw LoadError({file.string() + ':' + std::to_string(line) + ": " + what});
-    };
-    try {
-        return YAML::Load(text);
-    } catch (const YAML::DeepRecursion& error) {
-        refuse(error.mark.line + 1, "nested too deeply to be a map");
-    } catch (const YAML::Exception& error) {
-        refuse(error.mark.line + 1, "not YAML: " + printable(error.msg));
-    }
-    return {};
 }
 
 }  // namespace
 
 MapFile parse_map_file(const std::string& text, const fs::path& file) {
-    return MapFileReader{parse_yaml(text, file), file}.read();
+    YamlFaults faults{file.string()};
+    return MapFileReader{parse_yaml(text, "a map", faults), file, faults}.read();
 }
 
 }  // namespace scipd::sim

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "sim/loaders/file/plain_file.h"
-#include "sim/loaders/materials/yaml_walk.h"
+#include "sim/loaders/yaml/yaml_document.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 
@@ -67,11 +67,14 @@ struct Assumed {
 
 class MaterialsReader {
   public:
-    explicit MaterialsReader(YamlWalk& yaml) : yaml_(yaml) {}
+    explicit MaterialsReader(YamlFaults& faults) : faults_(faults) {}
 
     std::vector<MaterialOptics> read(const YamlField& document);
 
   private:
+    /// Those of a map that has some. What is none gets the fault `otherwise`.
+    std::vector<YamlField> entries_of(const YamlField& map, const char* otherwise);
+    std::vector<std::string> texts_of(const YamlField& list, const char* otherwise);
     MaterialOptics read_entry(const YamlField& entry);
     void read_key(const YamlField& field, MaterialOptics& material, Assumed& assumed);
     void read_reflectance(const YamlField& field, MaterialOptics& material);
@@ -82,31 +85,47 @@ class MaterialsReader {
     /// Notes that the name is taken.
     void claim(const YamlField& field, const std::string& name);
 
-    YamlWalk& yaml_;
+    YamlFaults& faults_;
     std::map<std::string, int> line_of_;  ///< names and aliases, in lower case
 };
 
+std::vector<YamlField> MaterialsReader::entries_of(const YamlField& map, const char* otherwise) {
+    if (map.value.IsMap() && map.value.size() > 0) return entries(map, faults_);
+    faults_.add(map, otherwise);
+    return {};
+}
+
+std::vector<std::string> MaterialsReader::texts_of(const YamlField& list, const char* otherwise) {
+    std::vector<std::string> texts;
+    if (list.value.IsSequence()) {
+        for (const YAML::Node& item : list.value) {
+            if (item.IsScalar()) texts.push_back(item.Scalar());
+        }
+    }
+    if (!list.value.IsSequence() || texts.size() != list.value.size()) faults_.add(list, otherwise);
+    return texts;
+}
+
 void MaterialsReader::claim(const YamlField& field, const std::string& name) {
     if (name.empty() || name.size() > longest_material) {
-        return yaml_.add_fault(field, "a name must have 1 to 200 bytes");
+        return faults_.add(field, "a name must have 1 to 200 bytes");
     }
     const auto [first, is_new] = line_of_.emplace(in_lower_case(name), field.line);
     if (is_new) return;
-    yaml_.add_fault(field, "the name " + quote(name, longest_material) + " is taken in line " +
-                               std::to_string(first->second) +
-                               "; use another (case does not count)");
+    faults_.add(field, "the name " + quote(name, longest_material) + " is taken in line " +
+                           std::to_string(first->second) + "; use another (case does not count)");
 }
 
 void MaterialsReader::read_reflectance(const YamlField& field, MaterialOptics& material) {
     constexpr auto wanted =
         "must be a map of wavelengths in nm and shares, such as {785: 0.9, 905: 0.88}";
-    for (const YamlField& one : yaml_.entries(field, wanted)) {
+    for (const YamlField& one : entries_of(field, wanted)) {
         const auto wavelength_nm = wavelength_of(one.key);
         const auto reflectance = number_of(one.value);
         if (!wavelength_nm) {
-            yaml_.add_fault(one, "must be a wavelength in whole nm, 300 to 2000");
+            faults_.add(one, "must be a wavelength in whole nm, 300 to 2000");
         } else if (!reflectance || !(*reflectance >= 0.0 && *reflectance <= 1.0)) {
-            yaml_.add_fault(one, share_advice);
+            faults_.add(one, share_advice);
         } else {
             material.reflectance[*wavelength_nm] = *reflectance;
         }
@@ -119,10 +138,10 @@ void MaterialsReader::read_assumed(const YamlField& field, Assumed& assumed) {
         "source, such as [905, gloss]";
     if (field.value.IsScalar()) {
         assumed.all = field.value.Scalar() == "true";
-        if (!assumed.all) yaml_.add_fault(field, wanted);
+        if (!assumed.all) faults_.add(field, wanted);
         return;
     }
-    for (const std::string& text : yaml_.texts(field, wanted)) {
+    for (const std::string& text : texts_of(field, wanted)) {
         const auto wavelength_nm = wavelength_of(text);
         const bool is_key = text == "reflectance" || std::ranges::any_of(number_keys, [&](auto& n) {
                                 return n.key == text;
@@ -132,13 +151,13 @@ void MaterialsReader::read_assumed(const YamlField& field, Assumed& assumed) {
         } else if (wavelength_nm) {
             assumed.wavelengths_nm.insert(*wavelength_nm);
         } else {
-            yaml_.add_fault(field, quote(text) + " is no key with a number and no wavelength");
+            faults_.add(field, quote(text) + " is no key with a number and no wavelength");
         }
     }
 }
 
 void MaterialsReader::read_aliases(const YamlField& field, MaterialOptics& material) {
-    material.aliases = yaml_.texts(field, "must be a list of names, such as [Gazebo/Wood]");
+    material.aliases = texts_of(field, "must be a list of names, such as [Gazebo/Wood]");
     for (const std::string& alias : material.aliases)
         claim(field, alias);
 }
@@ -149,18 +168,18 @@ void MaterialsReader::read_key(const YamlField& field, MaterialOptics& material,
     if (field.key == "aliases") return read_aliases(field, material);
     if (field.key == "source") {
         if (field.value.IsScalar()) material.source = field.value.Scalar();
-        if (material.source.empty()) yaml_.add_fault(field, "must say where the numbers come from");
+        if (material.source.empty()) faults_.add(field, "must say where the numbers come from");
         return;
     }
     const auto* const known = std::ranges::find(number_keys, field.key, &NumberKey::key);
     if (known == number_keys.end()) {
-        return yaml_.add_fault(field,
-                               "unknown key; known here are reflectance, specular, gloss, retro, "
-                               "transmission, roughness, texture, source, assumed, aliases");
+        return faults_.add(field,
+                           "unknown key; known here are reflectance, specular, gloss, retro, "
+                           "transmission, roughness, texture, source, assumed, aliases");
     }
     const auto number = number_of(field.value);
     if (!number || !(*number >= known->low && *number <= known->high)) {
-        return yaml_.add_fault(field, known->advice);
+        return faults_.add(field, known->advice);
     }
     material.*known->target = *number;
 }
@@ -170,10 +189,10 @@ void MaterialsReader::check_energy(const YamlField& entry, const MaterialOptics&
     for (const auto& [wavelength_nm, reflectance] : material.reflectance) {
         const double all = reflectance + material.retro + material.transmission;
         if (all <= 1.0 + rounding) continue;
-        yaml_.add_fault(entry, "reflectance, retro and transmission are " +
-                                   printable(std::to_string(all).substr(0, 5)) + " together at " +
-                                   std::to_string(wavelength_nm) +
-                                   " nm; no face gives back more than falls on it, so keep to 1");
+        faults_.add(entry, "reflectance, retro and transmission are " +
+                               printable(std::to_string(all).substr(0, 5)) + " together at " +
+                               std::to_string(wavelength_nm) +
+                               " nm; no face gives back more than falls on it, so keep to 1");
     }
 }
 
@@ -189,21 +208,20 @@ void MaterialsReader::count_numbers(const YamlField& entry, const Assumed& assum
         if (assumed.has(number.key)) ++material.assumed;
     }
     if (!material.source.empty() || material.assumed == material.numbers) return;
-    yaml_.add_fault(
-        entry,
-        "needs a source that says where its numbers come from; those without one must be "
-        "listed under assumed (assumed: true is all of them)");
+    faults_.add(entry,
+                "needs a source that says where its numbers come from; those without one must be "
+                "listed under assumed (assumed: true is all of them)");
 }
 
 MaterialOptics MaterialsReader::read_entry(const YamlField& entry) {
     MaterialOptics material;
     material.name = entry.key;
     Assumed assumed;
-    const std::size_t sound = yaml_.fault_count();
-    for (const YamlField& field : yaml_.entries(entry, "must be a map with reflectance and more"))
+    const std::size_t sound = faults_.count();
+    for (const YamlField& field : entries_of(entry, "must be a map with reflectance and more"))
         read_key(field, material, assumed);
-    if (yaml_.fault_count() != sound) return material;
-    if (material.reflectance.empty()) yaml_.add_fault(entry, "needs a reflectance");
+    if (faults_.count() != sound) return material;
+    if (material.reflectance.empty()) faults_.add(entry, "needs a reflectance");
     check_energy(entry, material);
     count_numbers(entry, assumed, material);
     return material;
@@ -214,18 +232,18 @@ std::vector<MaterialOptics> MaterialsReader::read(const YamlField& document) {
         "is no library of materials, which has `materials: {NAME: {reflectance: {905: 0.5}, "
         "assumed: true}}`";
     std::vector<MaterialOptics> materials;
-    for (const YamlField& root : yaml_.entries(document, wanted)) {
+    for (const YamlField& root : entries_of(document, wanted)) {
         if (root.key != "materials") {
-            yaml_.add_fault(root, "unknown key; known here is materials");
+            faults_.add(root, "unknown key; known here is materials");
             continue;
         }
-        const auto all = yaml_.entries(root, "must be a map of 1 to 4096 names and what they mean");
+        const auto all = entries_of(root, "must be a map of 1 to 4096 names and what they mean");
         for (const YamlField& entry : all)
             claim(entry, entry.key);
         for (const YamlField& entry : all)
             materials.push_back(read_entry(entry));
     }
-    yaml_.throw_if_any();
+    faults_.throw_if_any();
     return materials;
 }
 
@@ -233,8 +251,9 @@ std::vector<MaterialOptics> MaterialsReader::read(const YamlField& document) {
 
 std::vector<MaterialOptics> parse_materials(const std::string& text,
                                             const std::filesystem::path& file) {
-    YamlWalk yaml{file.string()};
-    return MaterialsReader{yaml}.read(yaml.document(text));
+    YamlFaults faults{file.string()};
+    const YamlField whole{.value = parse_yaml(text, "a library of materials", faults)};
+    return MaterialsReader{faults}.read(whole);
 }
 
 std::vector<MaterialOptics> load_materials(const std::filesystem::path& file) {

@@ -29,7 +29,7 @@ class ConfigFixture : public testing::Test {
     std::vector<std::string> faults(const std::string& text) const {
         try {
             parse(text);
-        } catch (const ConfigError& error) {
+        } catch (const sim::LoadError& error) {
             auto faults = error.faults();
             const std::string folder = dir_.path().string() + "/";
             for (auto& fault : faults) {

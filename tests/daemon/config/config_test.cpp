@@ -425,7 +425,7 @@ TEST_F(ConfigTest, BoundsWhatAHostileFileCosts) {
     for (int i = 0; i < 5000; ++i)
         many += "  r" + std::to_string(i) + ": {}\n";
     EXPECT_THAT(faults(many), ElementsAre("rig.yaml:2: robots: has more than 4096 entries; "
-                                          "split it into several daemons"));
+                                          "split it"));
 
     // One alias a robot, and every robot would have a hundred sensors.
     std::string aliases = "scene: room.sdf\nrobots:\n  r: &r\n    sensors:\n";
@@ -464,10 +464,10 @@ TEST_F(ConfigTest, NamesAFileThatCannotBeRead) {
     try {
         load_config(missing);
         FAIL();
-    } catch (const ConfigError& error) {
+    } catch (const sim::LoadError& error) {
         EXPECT_EQ(error.what(), missing + ": no such file; name a configuration of at most 1 MiB");
     }
-    EXPECT_THROW(load_config(dir_.path()), ConfigError);
+    EXPECT_THROW(load_config(dir_.path()), sim::LoadError);
 }
 
 }  // namespace

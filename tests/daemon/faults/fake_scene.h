@@ -12,8 +12,8 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "daemon/config/config_error.h"
 #include "daemon/faults/fault_kind.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/random.h"
 
 namespace scipd::daemon {
@@ -48,15 +48,15 @@ class FakeScene : public FaultScene {
     std::vector<Port*> ports_;
 };
 
-/// `members`: a map in YAML. Throws ConfigError with what is wrong.
+/// `members`: a map in YAML. Throws sim::LoadError with what is wrong.
 inline std::unique_ptr<FaultEffect> effect_of(const std::string& kind, const std::string& members) {
-    Faults faults("test");
-    const Field fault{.key = {}, .path = {}, .line = 1, .value = YAML::Load(members)};
+    sim::YamlFaults faults("test");
+    const sim::YamlField fault{.key = {}, .path = {}, .line = 1, .value = YAML::Load(members)};
     const FaultKind* const row = find_fault_kind(kind);
     if (!row) throw std::logic_error("there is no " + kind);
     std::vector<std::string_view> keys = row->keys();
     keys.insert(keys.end(), {"for", "until"});
-    const Section section(fault, keys, faults);
+    const sim::YamlSection section(fault, keys, faults);
     const MakeEffect make = row->read(fault, section, faults);
     faults.throw_if_any();
     return make();
@@ -66,7 +66,7 @@ inline std::unique_ptr<FaultEffect> effect_of(const std::string& kind, const std
 inline std::string refusal(const std::string& kind, const std::string& members) {
     try {
         (void)effect_of(kind, members);
-    } catch (const ConfigError& error) {
+    } catch (const sim::LoadError& error) {
         return error.what();
     }
     return "none";

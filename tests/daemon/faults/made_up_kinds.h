@@ -21,8 +21,8 @@ struct Nothing : daemon::FaultEffect {
     struct Members {};
     static constexpr std::array<daemon::Member<Members>, 0> members{};
     explicit Nothing(const Members& /*unused*/) {}
-    static void check(const Members& /*unused*/, const daemon::Field& /*unused*/,
-                      daemon::Faults& /*unused*/) {}
+    static void check(const Members& /*unused*/, const sim::YamlField& /*unused*/,
+                      sim::YamlFaults& /*unused*/) {}
 };
 
 /// One with members of each sort.
@@ -44,7 +44,7 @@ struct Scratch : daemon::FaultEffect {
         {"steps", daemon::read_list<&Members::steps, daemon::parse_length>},
     }};
     explicit Scratch(Members said) : said(std::move(said)) {}
-    static void check(const Members& said, const daemon::Field& fault, daemon::Faults& faults) {
+    static void check(const Members& said, const sim::YamlField& fault, sim::YamlFaults& faults) {
         if (said.rate < 0.0) faults.add(fault, "needs rate, 0 to 1");
     }
 

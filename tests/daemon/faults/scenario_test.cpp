@@ -15,7 +15,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/config/config_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "tests/daemon/faults/made_up_kinds.h"
 #include "tests/support/temp_dir.h"
 
@@ -35,7 +35,7 @@ Scenario parse(const std::string& text) {
 std::vector<std::string> faults(const std::string& text) {
     try {
         parse(text);
-    } catch (const ConfigError& error) {
+    } catch (const sim::LoadError& error) {
         return error.faults();
     }
     return {};
@@ -44,7 +44,7 @@ std::vector<std::string> faults(const std::string& text) {
 std::vector<std::string> faults_of_file(const std::filesystem::path& file) {
     try {
         load_scenario(file, scanners, made_up_kinds());
-    } catch (const ConfigError& error) {
+    } catch (const sim::LoadError& error) {
         return error.faults();
     }
     return {};
@@ -192,7 +192,7 @@ TEST(Scenario, KnowsOnlyScannersThatThereAre) {
         parse_scenario("steps: [{sensor: a/b, kind: nothing}]", "s.yaml",
                        std::vector<std::string>{}, made_up_kinds());
         FAIL();
-    } catch (const ConfigError& error) {
+    } catch (const sim::LoadError& error) {
         EXPECT_THAT(error.faults(), ElementsAre("s.yaml:1: steps.1.sensor: there is no scanner "
                                                 "'a/b', nor any other"));
     }
@@ -252,7 +252,7 @@ TEST(Scenario, IsReadOrRefusedWhateverItSays) {
             for (const ScenarioStep& step : parse(text).steps)
                 EXPECT_TRUE(parse_fault(step.fault.said, made_up_kinds())) << step.fault.said;
             ++read;
-        } catch (const ConfigError& error) {
+        } catch (const sim::LoadError& error) {
             ASSERT_FALSE(error.faults().empty());
             for (const std::string& fault : error.faults())
                 ASSERT_TRUE(fault.starts_with("bad_day.yaml:")) << fault << text;
@@ -290,7 +290,7 @@ TEST(Scenario, SurvivesNonsenseForEachKind) {
                 const auto& fault = scenario.steps.at(0).fault;
                 EXPECT_TRUE(parse_fault(fault.said)) << step;
                 EXPECT_TRUE(fault.make()) << step;
-            } catch (const ConfigError& error) {
+            } catch (const sim::LoadError& error) {
                 EXPECT_FALSE(error.faults().empty());
             } catch (const std::exception& error) {
                 ADD_FAILURE() << step << ": " << error.what();

@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/config/config_error.h"
 #include "daemon/program/check.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/support/temp_dir.h"
@@ -39,7 +38,7 @@ class CheckFile : public testing::Test {
             text = check(dir_.path() / name, options);
         } catch (const sim::LoadError& error) {
             text = std::string("refused: ") + error.what();
-        } catch (const ConfigError& error) {
+        } catch (const sim::LoadError& error) {
             text = std::string("refused: ") + error.what();
         }
         const std::string folder = dir_.path().string() + "/";

@@ -47,7 +47,7 @@ class Draw : public FaultEffect {
   public:
     using Members = NoMembers;
     static constexpr auto& members = no_members;
-    static void check(const Members&, const Field&, Faults&) {}
+    static void check(const Members&, const sim::YamlField&, sim::YamlFaults&) {}
 
     explicit Draw(const Members&) {}
 
