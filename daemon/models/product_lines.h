@@ -15,6 +15,8 @@ namespace scipd::daemon {
 
 /// The URG-04LX with firmware 3.1.04, the best known of the old models.
 protocol::DeviceProfile urg_profile();
+/// The UTM-30LX on USB.
+protocol::DeviceProfile utm_profile();
 /// The UTM-30LX-EW, under another name.
 protocol::DeviceProfile ew_profile(const std::string& name, const std::string& serial);
 /// The UXM-30LX-EW, under another name.

@@ -7,9 +7,9 @@
 
 namespace scipd::daemon {
 
-Model utm_30lx() {
+protocol::DeviceProfile utm_profile() {
     using namespace std::chrono_literals;
-    const protocol::DeviceProfile profile{
+    return {
         .name = "UTM-30LX",
         .release = "P.1.05",
         .family = protocol::Family::utm_usb,
@@ -53,7 +53,10 @@ Model utm_30lx() {
         .turns_per_reply = 1,
         .boot_time = 1s,  // assumed
     };
-    return make_model(profile, utm_optics(),
+}
+
+Model utm_30lx() {
+    return make_model(utm_profile(), utm_optics(),
                       {
                           .texts = Evidence::seen,
                           .range = Evidence::seen,
