@@ -38,7 +38,7 @@ function material(options, {share = 1, depthFunc = LessEqualDepth, light = 1, wi
     fragmentShader: FRAGMENT,
     uniforms: {
       share: {value: share},
-      size_px: {value: (options.size_px + wider_px) * Math.min(devicePixelRatio, 2)},
+      size_px: {value: sharp(options.size_px + wider_px)},
       light: {value: light},
       isRound: {value: options.isRound},
       nearer: {value: options.nearer},
@@ -49,6 +49,10 @@ function material(options, {share = 1, depthFunc = LessEqualDepth, light = 1, wi
   });
 }
 
+function sharp(size_px) {
+  return size_px * Math.min(devicePixelRatio, 2);
+}
+
 class Marks {
   constructor(Kind, options) {
     this.geometry = new BufferGeometry();
@@ -56,13 +60,14 @@ class Marks {
     this.group = new Group();
     this.hidden = this.pass(Kind, options, {share: HIDDEN_SHARE, depthFunc: GreaterDepth});
     // A dark rim, so that points are seen on faces of their own colour.
-    if (options.rim_px) this.pass(Kind, options, {light: 0.15, wider_px: options.rim_px});
+    this.rim = options.rim_px && this.pass(Kind, options, {light: 0.15, wider_px: options.rim_px});
     this.pass(Kind, options, {});
   }
 
   pass(Kind, options, look) {
     const object = new Kind(this.geometry, material(options, look));
     object.frustumCulled = false;
+    object.userData.wider_px = look.wider_px || 0;
     object.renderOrder = options.order + 0.1 * this.group.children.length;
     this.group.add(object);
     return object;
@@ -108,6 +113,16 @@ class Marks {
     if (!this.positions) return;
     this.positions.needsUpdate = true;
     this.tints.needsUpdate = true;
+  }
+
+  setSize(size_px) {
+    for (const {material: each, userData} of this.group.children) {
+      each.uniforms.size_px.value = sharp(size_px + userData.wider_px);
+    }
+  }
+
+  setRim(on) {
+    this.rim.visible = on;
   }
 
   setThrough(on) {

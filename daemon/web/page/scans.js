@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which sensors' scans one wants to see, and their pictures. The daemon sends a sensor's next scan when the last one
-// was drawn, so a slow page gets fewer of them and nothing else waits for it.
+// Which sensors' scans one wants to see, and their pictures. The chosen one is drawn with rays. The daemon sends a
+// sensor's next scan when the last one was drawn, so a slow page gets fewer of them and nothing else waits for it.
+import {ofScanner} from './colours.js';
 import {readScan} from './scan_message.js';
 import {ScanLayer} from './scan_layer.js';
 import {SensorMark} from './sensor_mark.js';
 
-const REDRAWN_BY = ['paint', 'rays', 'points', 'echoes', 'truth', 'through', 'trail_s'];
+const REDRAWN_BY = ['paint', 'rays', 'behind', 'fans', 'points', 'echoes', 'truth', 'through', 'trail_s'];
 
 /** Tells scan (detail: the scan) and shown. */
 export class Scans extends EventTarget {
@@ -27,6 +28,8 @@ export class Scans extends EventTarget {
     stage.beforeEach(() => this.draw());
     stage.afterEach(() => this.acknowledge());
     for (const name of REDRAWN_BY) settings.watch(name, () => this.redraw());
+    settings.watch('sensor', () => this.choose());
+    world.addEventListener('changed', () => this.redraw());
   }
 
   isShown(sensor) {
@@ -37,19 +40,40 @@ export class Scans extends EventTarget {
     return [...this.layers.keys()];
   }
 
+  /** The one that the user has chosen, or the first of those that are shown. */
+  get chosen() {
+    const wanted = this.settings.get('sensor');
+    return this.isShown(wanted) ? wanted : this.shown[0];
+  }
+
+  colourOf(sensor) {
+    return ofScanner(Math.max(this.status.sensors.findIndex(({name}) => name === sensor), 0));
+  }
+
   show(sensor, on) {
-    if (on === this.isShown(sensor)) return;
-    if (on) this.addLayer(sensor);
-    else this.removeLayer(sensor);
+    this.showAll([sensor], on);
+  }
+
+  showAll(sensors, on) {
+    const others = sensors.filter((sensor) => this.isShown(sensor) !== on);
+    if (!others.length) return;
+    for (const sensor of others) on ? this.addLayer(sensor) : this.removeLayer(sensor);
     this.subscribe();
-    this.stage.invalidate();
+    this.choose();
     this.dispatchEvent(new Event('shown'));
   }
 
   addLayer(sensor) {
-    const layer = {scan: new ScanLayer(this.settings, (id) => this.world.nameOf(id)), mark: new SensorMark()};
+    const colour = this.colourOf(sensor);
+    const scan = new ScanLayer(this.settings, (id) => this.world.nameOf(id), colour);
+    const layer = {scan, mark: new SensorMark(colour)};
     this.layers.set(sensor, layer);
     this.stage.scene.add(layer.scan.group, layer.mark.group);
+  }
+
+  choose() {
+    for (const [sensor, {scan}] of this.layers) scan.choose(sensor === this.chosen);
+    this.redraw();
   }
 
   removeLayer(sensor) {
@@ -97,7 +121,9 @@ export class Scans extends EventTarget {
   }
 
   redraw() {
+    const extent = this.world.extent();
     for (const {scan} of this.layers.values()) {
+      scan.bound(extent);
       scan.trail.setLength(this.settings.get('trail_s'));
       scan.redraw();
     }

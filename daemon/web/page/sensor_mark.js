@@ -3,18 +3,17 @@
 //
 // Where a sensor is: a small case that points ahead, and the frustum of a camera.
 import {
-  BufferGeometry, ConeBufferGeometry, CylinderBufferGeometry, Float32BufferAttribute, Group,
+  BufferGeometry, Color, ConeBufferGeometry, CylinderBufferGeometry, Float32BufferAttribute, Group,
   LineBasicMaterial, LineSegments, Mesh,
 } from './three.module.js';
 import {makeSurface} from './surface.js';
 import {matrixOf} from './pose.js';
 
-const CASE = [0.95, 0.62, 0.10];
 const FRUSTUM_M = 0.6;
 
 export class SensorMark {
-  constructor() {
-    this.surface = makeSurface(CASE);
+  constructor(colour) {
+    this.surface = makeSurface(colour);
     this.group = new Group();
     this.group.matrixAutoUpdate = false;
     // Cylinders and cones of three.js stand along y.
@@ -23,7 +22,7 @@ export class SensorMark {
     const tip = new Mesh(new ConeBufferGeometry(0.02, 0.06, 16), this.surface);
     tip.rotation.z = -Math.PI / 2;
     tip.position.x = 0.055;
-    this.frustum = new LineSegments(new BufferGeometry(), new LineBasicMaterial({color: 0xf09a1a}));
+    this.frustum = new LineSegments(new BufferGeometry(), new LineBasicMaterial({color: new Color(...colour)}));
     this.frustum.visible = false;
     this.frustum.frustumCulled = false;
     this.group.add(body, tip, this.frustum);

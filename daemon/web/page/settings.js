@@ -8,6 +8,8 @@ export const DEFAULTS = {
   theme: 'auto',
   paint: 'range',
   rays: true,
+  behind: false,
+  fans: true,
   points: true,
   echoes: true,
   truth: false,
