@@ -59,7 +59,7 @@ async function look(page, daemon, rest = {}) {
   const sensors = (await daemon.get('/sensors')).map(({name}) => name);
   await page.goto('about:blank');
   await open(page, daemon, hash(EYE, AT, {theme: 'light', show: sensors.join(), grid: 'false', ...rest}));
-  await expect.poll(() => page.locator('#sensors input:checked').count()).toBeGreaterThanOrEqual(sensors.length);
+  await expect.poll(() => page.locator('#sensors .row > input:checked').count()).toBeGreaterThanOrEqual(sensors.length);
   await page.waitForTimeout(2000);
   return {pixels: readPng(await page.screenshot()), box: await page.locator('#canvas').boundingBox()};
 }

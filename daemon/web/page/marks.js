@@ -10,11 +10,14 @@ import {
 
 const VERTEX = `
   attribute vec4 tint;
+  attribute float shape;
   uniform float size_px;
   uniform float nearer;
   varying vec4 seen;
+  varying float corners;
   void main() {
     seen = tint;
+    corners = shape;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
     // A hit lies on a face, and wins over it.
     gl_Position.z -= nearer * gl_Position.w;
@@ -23,11 +26,18 @@ const VERTEX = `
 
 const FRAGMENT = `
   uniform float share;
-  uniform bool isRound;
+  uniform bool isPoint;
   uniform float light;
   varying vec4 seen;
+  varying float corners;
+  // A circle, a square or a triangle.
+  bool isInside(vec2 place) {
+    if (corners < 0.5) return length(place) < 0.5;
+    if (corners < 1.5) return true;
+    return 2.0 * abs(place.x) < place.y + 0.5;
+  }
   void main() {
-    if (isRound && length(gl_PointCoord - 0.5) > 0.5) discard;
+    if (isPoint && !isInside(gl_PointCoord - 0.5)) discard;
     gl_FragColor = vec4(seen.rgb * light, seen.a * share);
   }`;
 const HIDDEN_SHARE = 0.18;
@@ -40,7 +50,7 @@ function material(options, {share = 1, depthFunc = LessEqualDepth, light = 1, wi
       share: {value: share},
       size_px: {value: sharp(options.size_px + wider_px)},
       light: {value: light},
-      isRound: {value: options.isRound},
+      isPoint: {value: options.isPoint},
       nearer: {value: options.nearer},
     },
     transparent: true,
@@ -82,6 +92,8 @@ class Marks {
     this.tints = new BufferAttribute(new Uint8Array(4 * count), 4, true).setUsage(DynamicDrawUsage);
     this.geometry.setAttribute('position', this.positions);
     this.geometry.setAttribute('tint', this.tints);
+    this.shapes = new BufferAttribute(new Uint8Array(count), 1).setUsage(DynamicDrawUsage);
+    this.geometry.setAttribute('shape', this.shapes);
   }
 
   put(index, x, y, z) {
@@ -106,6 +118,13 @@ class Marks {
     tints[at + 1] = 255 * colour[1];
     tints[at + 2] = 255 * colour[2];
     tints[at + 3] = 255 * opacity;
+  }
+
+  /** A number of SHAPES; all are circles until one is not. */
+  setShape(index, shape) {
+    if (this.shapes.array[index] === shape) return;
+    this.shapes.array[index] = shape;
+    this.shapes.needsUpdate = true;
   }
 
   show(count) {
@@ -137,12 +156,12 @@ class Marks {
 
 export class PointMarks extends Marks {
   constructor(size_px, {rim_px = 0, order = 3} = {}) {
-    super(Points, {size_px, rim_px, isRound: true, nearer: 0.0006, order});
+    super(Points, {size_px, rim_px, isPoint: true, nearer: 0.0006, order});
   }
 }
 
 export class LineMarks extends Marks {
   constructor() {
-    super(LineSegments, {size_px: 1, isRound: false, nearer: 0.0002, order: 2});
+    super(LineSegments, {size_px: 1, isPoint: false, nearer: 0.0002, order: 2});
   }
 }

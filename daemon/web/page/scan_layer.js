@@ -7,7 +7,6 @@ import {Group} from './three.module.js';
 import {Fan} from './fan.js';
 import {LineMarks, PointMarks} from './marks.js';
 import {Trail} from './trail.js';
-import {paintOf} from './paints.js';
 import {endOf, isHit, reachOf} from './reach.js';
 import {firstEcho, sentRange, shapeOf} from './scan_shape.js';
 
@@ -23,10 +22,8 @@ const CHOSEN_PX = 4.5;
 const OTHERS_PX = 3;
 
 export class ScanLayer {
-  /** nameOf(id) is the name of an object. */
-  constructor(settings, nameOf, colour) {
+  constructor(settings, colour) {
     this.settings = settings;
-    this.nameOf = nameOf;
     this.group = new Group();
     this.fan = new Fan(colour);
     this.rays = new LineMarks();
@@ -57,18 +54,22 @@ export class ScanLayer {
     return [this.trail.marks, this.rays, this.truths, this.echoes, this.hits];
   }
 
-  take(scan, now_s) {
+  take(scan) {
     this.scan = scan;
     this.shape = shapeOf(scan);
-    this.redraw();
-    this.trail.setLength(this.settings.get('trail_s'));
-    this.trail.add(now_s, this.hits, this.hitsCount);
   }
 
-  /** With other settings, or with another scan. */
-  redraw() {
+  /** The scan that it took is another one than before. */
+  drawNew(paint) {
+    this.redraw(paint);
+    this.trail.setLength(this.settings.get('trail_s'));
+    this.trail.add(this.scan.time_s, this.hits, this.hitsCount);
+  }
+
+  /** With other settings, or another scan. */
+  redraw(paint) {
     if (!this.scan) return;
-    this.paint = paintOf(this.settings.get('paint'), this.scan, this.nameOf);
+    this.paint = paint;
     this.drawHits();
     this.drawTruths();
     this.drawEchoes();
@@ -78,14 +79,15 @@ export class ScanLayer {
   }
 
   drawHits() {
-    const {scan, hits} = this;
+    const {scan, hits, paint} = this;
     hits.reserve(scan.beams);
     let count = 0;
     for (let i = 0; i < scan.beams; ++i) {
       const range_m = sentRange(scan, i);
       if (!(range_m > 0)) continue;
       hits.putAlong(count, this.shape, i, range_m);
-      hits.tint(count++, this.paint.colourOf(i), 1);
+      hits.setShape(count, paint.shapeOf(scan, i));
+      hits.tint(count++, paint.colourOf(scan, i), 1);
     }
     this.hitsCount = count;
     hits.show(this.settings.get('points') ? count : 0);
@@ -113,7 +115,7 @@ export class ScanLayer {
       for (let i = 0; i < this.scan.beams; ++i) {
         for (let e = firstEcho(this.scan, i) + 1; e < ends[i]; ++e) {
           this.echoes.putAlong(count, this.shape, i, echoes[e] / 1000);
-          this.echoes.tint(count++, this.paint.colourOf(i, echoes[e] / 1000), 0.75);
+          this.echoes.tint(count++, this.paint.colourOf(this.scan, i, echoes[e] / 1000), 0.75);
         }
       }
     }

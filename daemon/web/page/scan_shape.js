@@ -88,6 +88,12 @@ export function sentRange(scan, i) {
   return mm < scan.nearest_mm || mm > scan.dmax_mm ? NaN : mm / 1000;
 }
 
+/** How far away that is which returned the light of a beam, in m: it may stand behind glass. */
+export function returnedRange(scan, i) {
+  const {returned_m: returned, true_m: met} = scan.arrays;
+  return (returned || met)?.[i] ?? NaN;
+}
+
 /** Of the material of a beam: a name or null. */
 export function materialOf(scan, i) {
   const index = scan.arrays.material?.[i] ?? -1;

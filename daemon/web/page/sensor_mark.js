@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where a sensor is: a small case that points ahead, and the frustum of a camera.
+// Where a sensor is: a small case that points ahead, the frustum of a camera, and a warning sign while a fault acts.
 import {
   BufferGeometry, Color, ConeBufferGeometry, CylinderBufferGeometry, Float32BufferAttribute, Group,
   LineBasicMaterial, LineSegments, Mesh,
 } from './three.module.js';
 import {makeSurface} from './surface.js';
+import {makeWarningSign} from './warning_sign.js';
 import {matrixOf} from './pose.js';
 
 const FRUSTUM_M = 0.6;
@@ -25,7 +26,9 @@ export class SensorMark {
     this.frustum = new LineSegments(new BufferGeometry(), new LineBasicMaterial({color: new Color(...colour)}));
     this.frustum.visible = false;
     this.frustum.frustumCulled = false;
-    this.group.add(body, tip, this.frustum);
+    this.sign = makeWarningSign();
+    this.sign.visible = false;
+    this.group.add(body, tip, this.frustum, this.sign);
     this.fov = null;
   }
 
@@ -33,6 +36,13 @@ export class SensorMark {
     this.group.matrix.copy(matrixOf(scan.pose));
     this.group.matrixWorldNeedsUpdate = true;
     if (scan.kind === 'picture') this.open(scan.fov_rad);
+  }
+
+  /** Whether a fault acts on it. True if that is news. */
+  warn(isFaulty) {
+    const isNews = this.sign.visible !== isFaulty;
+    this.sign.visible = isFaulty;
+    return isNews;
   }
 
   open(fov_rad) {
@@ -48,6 +58,9 @@ export class SensorMark {
 
   dispose() {
     this.surface.dispose();
-    this.group.traverse((part) => part.geometry?.dispose());
+    this.sign.material.map.dispose();
+    this.sign.material.dispose();
+    // All sprites of three.js have one geometry.
+    this.group.traverse((part) => { if (part !== this.sign) part.geometry?.dispose(); });
   }
 }

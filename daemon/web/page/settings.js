@@ -6,7 +6,7 @@ import {PAINTS} from './paints.js';
 
 export const DEFAULTS = {
   theme: 'auto',
-  paint: 'range',
+  paint: 'auto',
   rays: true,
   behind: false,
   fans: true,
