@@ -7,7 +7,7 @@ import {SHAPES} from './material_looks.js';
 import {css, gradient} from './colours.js';
 
 const BETWEEN_MS = 250;
-const MOST_NAMES = 9;
+const MOST_NAMES = 18;
 
 export class Legend {
   constructor({scans, settings}) {
@@ -29,7 +29,7 @@ export class Legend {
     this.scale.hidden = !legend.scale;
     this.names.hidden = Boolean(legend.scale);
     if (legend.scale) this.updateScale(legend);
-    else this.updateNames(legend.names);
+    else this.updateNames(legend);
   }
 
   updateScale({scale, low, high}) {
@@ -39,16 +39,16 @@ export class Legend {
     tell(this.high, high);
   }
 
-  updateNames(names) {
+  updateNames({names, most = MOST_NAMES}) {
     const key = JSON.stringify(names);
     if (key === this.named) return;
     this.named = key;
-    const rows = names.slice(0, MOST_NAMES).map(({name, colour, shape = 0}) => {
+    const rows = names.slice(0, most).map(({name, colour, shape = 0}) => {
       const swatch = make('span', {class: `swatch ${SHAPES[shape]}`});
       swatch.style.background = css(colour);
       return make('li', {}, swatch, make('span', {}, String(name)));
     });
-    if (names.length > MOST_NAMES) rows.push(make('li', {class: 'dim'}, `and ${names.length - MOST_NAMES} more`));
+    if (names.length > most) rows.push(make('li', {class: 'dim'}, `and ${names.length - most} more`));
     this.names.replaceChildren(...rows);
   }
 }

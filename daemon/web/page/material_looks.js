@@ -29,6 +29,11 @@ export class MaterialLooks {
     }
   }
 
+  /** In the order in which they came. */
+  get names() {
+    return [...this.looks.keys()];
+  }
+
   /** {colour, shape}, a number of SHAPES. */
   of(name) {
     return this.looks.get(name);

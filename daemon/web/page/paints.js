@@ -4,7 +4,7 @@
 // What the colours of points mean: range, intensity, material, object, sensor or error. One paint is for the scans of
 // all sensors that are shown, so that equal colours mean the same. It has a legend.
 import * as colours from './colours.js';
-import {materialOf, objectOf, returnedRange, sentRange} from './scan_shape.js';
+import {objectOf, returnedMaterial, returnedRange, sentRange} from './scan_shape.js';
 
 export const PAINTS = [
   ['auto', 'Range or sensor'], ['range', 'Range'], ['intensity', 'Intensity'], ['material', 'Material'],
@@ -72,13 +72,14 @@ function counted(scans, nameOf) {
 }
 
 function byMaterial(scans, {materialLooks}) {
-  const counts = counted(scans, materialOf);
+  const counts = counted(scans, returnedMaterial);
   materialLooks.meet(counts);
-  const lookOf = (scan, i) => materialLooks.of(materialOf(scan, i));
+  const lookOf = (scan, i) => materialLooks.of(returnedMaterial(scan, i));
+  const names = materialLooks.names.filter((name) => counts.has(name));
   return {
     colourOf: (scan, i) => lookOf(scan, i)?.colour || PLAIN,
     shapeOf: (scan, i) => lookOf(scan, i)?.shape || 0,
-    legend: {title: 'Material', names: [...counts.keys()].map((name) => ({name, ...materialLooks.of(name)}))},
+    legend: {title: 'Material', names: names.map((name) => ({name, ...materialLooks.of(name)}))},
   };
 }
 
@@ -95,7 +96,8 @@ function byObject(scans, {nameOfObject}) {
 
 function bySensor(scans, {colourOfSensor}) {
   const names = scans.map(({sensor}) => ({name: sensor, colour: colourOfSensor(sensor)}));
-  return {colourOf: (scan) => colourOfSensor(scan.sensor), legend: {title: 'Sensor', names}};
+  // The panel Sensors has them all.
+  return {colourOf: (scan) => colourOfSensor(scan.sensor), legend: {title: 'Sensor', names, most: 5}};
 }
 
 function byError(scans) {

@@ -94,9 +94,10 @@ export function returnedRange(scan, i) {
   return (returned || met)?.[i] ?? NaN;
 }
 
-/** Of the material of a beam: a name or null. */
-export function materialOf(scan, i) {
-  const index = scan.arrays.material?.[i] ?? -1;
+/** The material of that: a name or null. */
+export function returnedMaterial(scan, i) {
+  const {returned_material: returned, material: met} = scan.arrays;
+  const index = (returned || met)?.[i] ?? -1;
   return index < 0 ? null : scan.materials[index];
 }
 
