@@ -31,6 +31,7 @@ struct SensorReport {
     std::optional<std::string> pty;       ///< the link
     std::optional<ReadingErrors> errors;  ///< nothing: a camera or ranger
     std::uint64_t clients = 0;            ///< connected now
+    std::vector<std::string> faults;      ///< kinds of those that act now
     SensorCounts counts;
     SensorCounts counts_before;     ///< of its predecessors of the same name
     std::uint64_t stream_lost = 0;  ///< scans that clients of /stream did not get

@@ -87,11 +87,12 @@ class Palette {
   public:
     explicit Palette(const sim::Scene& scene) : scene_(scene) {}
 
-    std::int16_t of(const sim::Hit& hit) {
-        if (!hit.met()) return -1;
+    /// Of what has an object and a material. -1: of nothing, and of something in the air.
+    std::int16_t of(const auto& thing) {
+        if (thing.object == sim::no_object) return -1;
         const auto [known, is_new] =
-            number_.try_emplace(hit.material, static_cast<std::int16_t>(number_.size()));
-        if (is_new) names_.push_back(scene_.materials[hit.material].name);
+            number_.try_emplace(thing.material, static_cast<std::int16_t>(number_.size()));
+        if (is_new) names_.push_back(scene_.materials[thing.material].name);
         return known->second;
     }
     [[nodiscard]] const Json& names() const { return names_; }
@@ -129,6 +130,27 @@ float drawn_m(float range_m) {
     return std::isfinite(range_m) ? range_m : std::numeric_limits<float>::quiet_NaN();
 }
 
+/// What returned the light of a beam: of the echoes that came back, the one nearest to what was
+/// read, which may be of a wall behind glass. Null: none came back.
+const sim::Echo* returned(const sim::Scan& scan, std::size_t beam) {
+    const float read_m = scan.readings[beam].range_m;
+    const auto echoes = scan.echoes[beam];
+    const auto nearest = std::ranges::min_element(
+        echoes, {}, [&](const sim::Echo& echo) { return std::abs(echo.range_m - read_m); });
+    return nearest == echoes.end() ? nullptr : &*nearest;
+}
+
+void add_returned(Frame& frame, const sim::Scan& scan, Palette& palette) {
+    frame.add<float>("returned_m", scan.beams(), [&](std::size_t beam) {
+        const sim::Echo* const echo = returned(scan, beam);
+        return drawn_m(echo != nullptr ? echo->range_m : scan.middle(beam).range_m);
+    });
+    frame.add<std::int16_t>("returned_material", scan.beams(), [&](std::size_t beam) {
+        const sim::Echo* const echo = returned(scan, beam);
+        return echo != nullptr ? palette.of(*echo) : palette.of(scan.middle(beam));
+    });
+}
+
 void add_truth(Frame& frame, const Measurement& record) {
     const sim::Scan& scan = *record.cast;
     Palette palette(*record.scene);
@@ -140,6 +162,7 @@ void add_truth(Frame& frame, const Measurement& record) {
     frame.add<std::int32_t>("object", scan.beams(), [&](std::size_t beam) {
         return static_cast<std::int32_t>(scan.middle(beam).object);
     });
+    if (!scan.echoes.empty()) add_returned(frame, scan, palette);
     frame.header()["materials"] = palette.names();
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
@@ -47,6 +48,14 @@ SensorCounts counts_of(const Station& station) {
     return counts;
 }
 
+std::vector<std::string> kinds_that_act(const FaultInjector& faults) {
+    std::vector<std::string> kinds;
+    for (FaultStatus& fault : faults.list()) {
+        if (fault.state == "active") kinds.push_back(std::move(fault.kind));
+    }
+    return kinds;
+}
+
 void add(const Port& port, std::optional<std::string>& address, SensorReport& report) {
     address = port.address();
     report.clients += port.connected() ? 1 : 0;
@@ -68,6 +77,7 @@ SensorReport report_of(const Station& station, const Simulation& simulation) {
             report.state = state_of(*sensor);
         },
         station.sensor);
+    if (station.faults) report.faults = kinds_that_act(*station.faults);
     if (!station.config.staring) report.errors = errors_of(station.config);
     if (station.ports.tcp) add(*station.ports.tcp, report.tcp, report);
     if (station.ports.pty) add(*station.ports.pty, report.pty, report);

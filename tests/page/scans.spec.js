@@ -68,3 +68,43 @@ test('shows the picture of a camera', async ({page, start}, info) => {
     expect(pairs[i].green).toBeGreaterThanOrEqual(pairs[i - 1].green - 1);
   }
 });
+
+test('a wall that is seen rightly through glass is no error', async ({page, start}, info) => {
+  const daemon = await start(configuration(info, 'materials.sdf', {single: {
+    model: 'UST-10LX', mount: {xyz: [0, 0, 0.3]}, tcp: '127.0.0.1:0', accuracy: 'material'}}));
+  const [eye, at] = [[0, -4, 8], [0, 4, 0.3]];
+  await open(page, daemon, hash(eye, at, {rays: 'false', paint: 'error'}));
+  await withScan(page);
+  await page.waitForTimeout(1000);
+  const pixels = readPng(await page.screenshot());
+  const truth = await daemon.get('/sensors/robot/single/truth');
+  const project = lookFrom(eye, at, await page.locator('#canvas').boundingBox());
+  // The glass is 3 m to the left, and the wall behind it 5 m. Step 540 looks ahead.
+  const through = truth.sent_mm.flatMap((mm, i) => {
+    const angle = (truth.steps[i] - 540) * 2 * Math.PI / 1440;
+    const [x, y] = [mm / 1000 * Math.cos(angle), mm / 1000 * Math.sin(angle)];
+    return Math.abs(y - 5) < 0.05 && truth.true_m[i] * Math.sin(angle) < 3.1 ? [project([x, y, 0.3])] : [];
+  });
+  expect(through.length).toBeGreaterThan(30);
+  // Too far is red, and right is grey.
+  const grey = through.filter(({x, y}) => {
+    const colour = pixels.at(Math.round(x), Math.round(y));
+    return Math.max(...colour) - Math.min(...colour) < 120;
+  });
+  expect(grey.length / through.length).toBeGreaterThan(0.8);
+});
+
+test('tells the materials of the points apart', async ({page, start}, info) => {
+  const daemon = await start(configuration(info, 'materials.sdf', {single: {
+    model: 'UTM-30LX', mount: {xyz: [0, 0, 0.3]}, tcp: '127.0.0.1:0', accuracy: 'ideal'}}));
+  await open(page, daemon, hash([0, -0.5, 24], [0, 0, 0], {paint: 'material'}));
+  await withScan(page);
+  const looks = await page.locator('#legend .swatch').evaluateAll((swatches) => swatches.map((swatch) =>
+    `${getComputedStyle(swatch).backgroundColor} ${swatch.className}`));
+  const truth = await daemon.get('/sensors/robot/single/truth');
+  const materials = new Set(truth.material.filter(Boolean));
+  // More than there are colours.
+  expect(materials.size).toBeGreaterThan(9);
+  expect(looks.length).toBe(materials.size);
+  expect(new Set(looks).size).toBe(looks.length);
+});

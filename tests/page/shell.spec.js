@@ -2,7 +2,9 @@
 // Copyright The scipd authors
 //
 // The page as such: on a phone, in light and dark, by keyboard, and with a world that is large.
+import {mkdirSync} from 'node:fs';
 import {expect, open, test, withScan} from './page.js';
+import {fleet} from './rigs.js';
 import {scene} from './daemon.js';
 
 const ROOM = ['--scene', scene('square_room.sdf')];
@@ -56,6 +58,21 @@ for (const theme of ['light', 'dark']) {
     }
   });
 }
+
+test('is readable with many scanners', async ({page, start}, info) => {
+  mkdirSync(info.outputDir, {recursive: true});
+  const daemon = await start(fleet(info.outputDir, 2));
+  await daemon.post('/sensors/robot0/left/faults', {kind: 'stall'});
+  await open(page, daemon);
+  await withScan(page);
+  await expect(page.locator('.faulty')).toHaveCount(1);
+  for (const theme of ['light', 'dark']) {
+    await page.emulateMedia({colorScheme: theme, reducedMotion: 'reduce'});
+    await expect(page.locator('html')).toHaveAttribute('data-theme', theme);
+    expect(await page.evaluate(poorContrasts), theme).toEqual([]);
+    expect(await page.evaluate(withoutName), theme).toEqual([]);
+  }
+});
 
 test('fits a phone', async ({page, start}) => {
   await page.setViewportSize({width: 375, height: 740});

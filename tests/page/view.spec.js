@@ -97,7 +97,7 @@ async function materialColours(page, daemon) {
 
 test('draws rays green to the hit and red from it on', async ({page, start}) => {
   const daemon = await start(ROBOT);
-  const rays = await look(page, daemon, {points: 'false', rays: 'true'});
+  const rays = await look(page, daemon, {points: 'false', rays: 'true', behind: 'true'});
   const none = await look(page, daemon, {points: 'false', rays: 'false'});
   const found = await hits(daemon);
   const tint = (share, reach_m) => found.filter((hit) => hit.range_m < 4).flatMap((hit) => {

@@ -12,6 +12,21 @@ const VIRIDIS = [
 const ERRORS = [[0.10, 0.35, 0.85], [0.55, 0.72, 0.95], [0.90, 0.90, 0.90], [0.97, 0.65, 0.50],
   [0.84, 0.12, 0.12]];
 
+// Paul Tol's "muted", as scipcat has it for materials.
+const DISTINCT = [
+  [0.200, 0.133, 0.533], [0.533, 0.800, 0.933], [0.067, 0.467, 0.200], [0.800, 0.400, 0.467], [0.867, 0.800, 0.467],
+  [0.533, 0.133, 0.333], [0.267, 0.667, 0.600], [0.667, 0.267, 0.600], [0.600, 0.600, 0.200],
+];
+export const distinctCount = DISTINCT.length;
+
+// Six of Okabe and Ito's, which all people can tell apart on light and on dark ground; their vermilion would say error.
+const SCANNERS = [
+  [0.902, 0.624, 0.000], [0.000, 0.447, 0.698], [0.800, 0.475, 0.655],
+  [0.000, 0.620, 0.451], [0.337, 0.706, 0.914], [0.533, 0.133, 0.333],
+];
+// The next six are darker, and the six after them lighter.
+const SHADES = [[[0, 0, 0], 0], [[0, 0, 0], 0.4], [[1, 1, 1], 0.5]];
+
 // The materials that scipd knows (scenes/materials.yaml), as people know their look.
 const LIBRARY = {
   default: [0.80, 0.80, 0.78], paint: [0.72, 0.76, 0.80], white_paper: [0.93, 0.93, 0.90],
@@ -64,6 +79,17 @@ export function ofMaterial(name) {
 
 export function opacityOf(material) {
   return CLEAR[material] || 1;
+}
+
+/** So many differ; then they begin again. */
+export function distinct(number) {
+  return DISTINCT[number % DISTINCT.length];
+}
+
+/** Of the scanner that has this number in the configuration, from 0. */
+export function ofScanner(number) {
+  const [towards, share] = SHADES[Math.floor(number / SCANNERS.length) % SHADES.length];
+  return mix(SCANNERS[number % SCANNERS.length], towards, share);
 }
 
 /** A colour for anything that has a name; the same one every time. */

@@ -53,6 +53,7 @@ export class Keys {
       {key: 't', act: views.top, shown: 'T', help: 'see it from above'},
       {key: 'l', act: views.follow, shown: 'L', help: 'follow the selected thing, or the first robot'},
       {key: 'r', act: toggle('rays'), shown: 'R', help: 'rays'},
+      {key: 'u', act: toggle('fans'), shown: 'U', help: 'what the other scanners look over'},
       {key: 'p', act: toggle('points'), shown: 'P', help: 'points'},
       {key: 'v', act: toggle('truth'), shown: 'V', help: 'the truth beside what was sent'},
       {key: 'e', act: toggle('echoes'), shown: 'E', help: 'all echoes'},

@@ -3,11 +3,11 @@
 //
 // What the colours of the points mean now.
 import {byId, make, tell} from './elements.js';
+import {SHAPES} from './material_looks.js';
 import {css, gradient} from './colours.js';
-import {PAINTS} from './paints.js';
 
 const BETWEEN_MS = 250;
-const MOST_NAMES = 12;
+const MOST_NAMES = 18;
 
 export class Legend {
   constructor({scans, settings}) {
@@ -21,21 +21,15 @@ export class Legend {
     setInterval(() => this.update(), BETWEEN_MS);
   }
 
-  get sensor() {
-    const chosen = this.settings.get('sensor');
-    return this.scans.isShown(chosen) ? chosen : this.scans.shown[0];
-  }
-
   update() {
-    const legend = this.sensor && this.scans.legendOf(this.sensor);
+    const {legend} = this.scans;
     byId('legend').hidden = !legend || !this.settings.get('points');
     if (!legend) return;
-    const title = PAINTS.find(([name]) => name === this.settings.get('paint'))?.[1];
-    tell(byId('legend-title'), this.scans.shown.length > 1 ? `${title}, ${this.sensor}` : title);
+    tell(byId('legend-title'), legend.title);
     this.scale.hidden = !legend.scale;
     this.names.hidden = Boolean(legend.scale);
     if (legend.scale) this.updateScale(legend);
-    else this.updateNames(legend.names || [{name: legend.note, colour: [0.5, 0.5, 0.5]}]);
+    else this.updateNames(legend);
   }
 
   updateScale({scale, low, high}) {
@@ -45,16 +39,16 @@ export class Legend {
     tell(this.high, high);
   }
 
-  updateNames(names) {
-    const key = names.map(({name}) => name).join('\n');
+  updateNames({names, most = MOST_NAMES}) {
+    const key = JSON.stringify(names);
     if (key === this.named) return;
     this.named = key;
-    const rows = names.slice(0, MOST_NAMES).map(({name, colour}) => {
-      const swatch = make('span', {class: 'swatch'});
+    const rows = names.slice(0, most).map(({name, colour, shape = 0}) => {
+      const swatch = make('span', {class: `swatch ${SHAPES[shape]}`});
       swatch.style.background = css(colour);
       return make('li', {}, swatch, make('span', {}, String(name)));
     });
-    if (names.length > MOST_NAMES) rows.push(make('li', {class: 'dim'}, `and ${names.length - MOST_NAMES} more`));
+    if (names.length > most) rows.push(make('li', {class: 'dim'}, `and ${names.length - most} more`));
     this.names.replaceChildren(...rows);
   }
 }

@@ -3,10 +3,12 @@
 //
 // Puts the page together.
 import {AddDialog} from './add_dialog.js';
+import {ConnectCard} from './connect_card.js';
 import {Connection} from './connection.js';
 import {Drive} from './drive.js';
 import {Edits} from './edits.js';
 import {FaultsPanel} from './faults_panel.js';
+import {FirstLook} from './first_look.js';
 import {Ground} from './ground.js';
 import {Hands} from './hands.js';
 import {Header} from './header.js';
@@ -66,6 +68,7 @@ page.theme = new Theme(page);
 new Header(page);
 new Legend(page);
 new SensorsPanel(page);
+new ConnectCard(page);
 new WirePanel(page);
 new FaultsPanel(page);
 new WorldPanel(page);
@@ -90,7 +93,8 @@ function restore() {
   for (const name of link.showWanted || sensors.slice(0, 1)) {
     if (sensors.includes(name)) scans.show(name, true);
   }
-  views.restore(link.viewWanted);
+  if (link.viewWanted) views.restore(link.viewWanted);
+  else new FirstLook(page);
   selection.selectLater(link.selectWanted);
   if (link.wanted.follow) views.followLater();
   link.begin();

@@ -10,11 +10,14 @@ import {
 
 const VERTEX = `
   attribute vec4 tint;
+  attribute float shape;
   uniform float size_px;
   uniform float nearer;
   varying vec4 seen;
+  varying float corners;
   void main() {
     seen = tint;
+    corners = shape;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
     // A hit lies on a face, and wins over it.
     gl_Position.z -= nearer * gl_Position.w;
@@ -23,11 +26,18 @@ const VERTEX = `
 
 const FRAGMENT = `
   uniform float share;
-  uniform bool isRound;
+  uniform bool isPoint;
   uniform float light;
   varying vec4 seen;
+  varying float corners;
+  // A circle, a square or a triangle.
+  bool isInside(vec2 place) {
+    if (corners < 0.5) return length(place) < 0.5;
+    if (corners < 1.5) return true;
+    return 2.0 * abs(place.x) < place.y + 0.5;
+  }
   void main() {
-    if (isRound && length(gl_PointCoord - 0.5) > 0.5) discard;
+    if (isPoint && !isInside(gl_PointCoord - 0.5)) discard;
     gl_FragColor = vec4(seen.rgb * light, seen.a * share);
   }`;
 const HIDDEN_SHARE = 0.18;
@@ -38,15 +48,19 @@ function material(options, {share = 1, depthFunc = LessEqualDepth, light = 1, wi
     fragmentShader: FRAGMENT,
     uniforms: {
       share: {value: share},
-      size_px: {value: (options.size_px + wider_px) * Math.min(devicePixelRatio, 2)},
+      size_px: {value: sharp(options.size_px + wider_px)},
       light: {value: light},
-      isRound: {value: options.isRound},
+      isPoint: {value: options.isPoint},
       nearer: {value: options.nearer},
     },
     transparent: true,
     depthWrite: false,
     depthFunc,
   });
+}
+
+function sharp(size_px) {
+  return size_px * Math.min(devicePixelRatio, 2);
 }
 
 class Marks {
@@ -56,13 +70,14 @@ class Marks {
     this.group = new Group();
     this.hidden = this.pass(Kind, options, {share: HIDDEN_SHARE, depthFunc: GreaterDepth});
     // A dark rim, so that points are seen on faces of their own colour.
-    if (options.rim_px) this.pass(Kind, options, {light: 0.15, wider_px: options.rim_px});
+    this.rim = options.rim_px && this.pass(Kind, options, {light: 0.15, wider_px: options.rim_px});
     this.pass(Kind, options, {});
   }
 
   pass(Kind, options, look) {
     const object = new Kind(this.geometry, material(options, look));
     object.frustumCulled = false;
+    object.userData.wider_px = look.wider_px || 0;
     object.renderOrder = options.order + 0.1 * this.group.children.length;
     this.group.add(object);
     return object;
@@ -77,6 +92,8 @@ class Marks {
     this.tints = new BufferAttribute(new Uint8Array(4 * count), 4, true).setUsage(DynamicDrawUsage);
     this.geometry.setAttribute('position', this.positions);
     this.geometry.setAttribute('tint', this.tints);
+    this.shapes = new BufferAttribute(new Uint8Array(count), 1).setUsage(DynamicDrawUsage);
+    this.geometry.setAttribute('shape', this.shapes);
   }
 
   put(index, x, y, z) {
@@ -103,11 +120,28 @@ class Marks {
     tints[at + 3] = 255 * opacity;
   }
 
+  /** A number of SHAPES; all are circles until one is not. */
+  setShape(index, shape) {
+    if (this.shapes.array[index] === shape) return;
+    this.shapes.array[index] = shape;
+    this.shapes.needsUpdate = true;
+  }
+
   show(count) {
     this.geometry.setDrawRange(0, count);
     if (!this.positions) return;
     this.positions.needsUpdate = true;
     this.tints.needsUpdate = true;
+  }
+
+  setSize(size_px) {
+    for (const {material: each, userData} of this.group.children) {
+      each.uniforms.size_px.value = sharp(size_px + userData.wider_px);
+    }
+  }
+
+  setRim(on) {
+    this.rim.visible = on;
   }
 
   setThrough(on) {
@@ -122,12 +156,12 @@ class Marks {
 
 export class PointMarks extends Marks {
   constructor(size_px, {rim_px = 0, order = 3} = {}) {
-    super(Points, {size_px, rim_px, isRound: true, nearer: 0.0006, order});
+    super(Points, {size_px, rim_px, isPoint: true, nearer: 0.0006, order});
   }
 }
 
 export class LineMarks extends Marks {
   constructor() {
-    super(LineSegments, {size_px: 1, isRound: false, nearer: 0.0002, order: 2});
+    super(LineSegments, {size_px: 1, isPoint: false, nearer: 0.0002, order: 2});
   }
 }

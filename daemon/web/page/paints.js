@@ -1,83 +1,126 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What the colours of points mean: range, intensity, material, object or error. Each paint looks at a scan and gives a
-// colour for each beam, and a legend.
+// What the colours of points mean: range, intensity, material, object, sensor or error. One paint is for the scans of
+// all sensors that are shown, so that equal colours mean the same. It has a legend.
 import * as colours from './colours.js';
-import {materialOf, objectOf, sentRange} from './scan_shape.js';
+import {objectOf, returnedMaterial, returnedRange, sentRange} from './scan_shape.js';
 
 export const PAINTS = [
-  ['range', 'Range'], ['intensity', 'Intensity'], ['material', 'Material'], ['object', 'Object'],
-  ['error', 'Error, sent − true'],
+  ['auto', 'Range or sensor'], ['range', 'Range'], ['intensity', 'Intensity'], ['material', 'Material'],
+  ['object', 'Object'], ['sensor', 'Sensor'], ['error', 'Error, sent − returned'],
 ];
 const PLAIN = [0.2, 0.75, 1];
+// Enough of all values to find the usual ones.
+const MOST_VALUES = 20_000;
 
-/** The share of values that lie between both ends, without the outermost twentieths. */
+/** All of these scans' values, or evenly some of them, by size. */
+function sorted(scans, value) {
+  const beams = scans.reduce((sum, scan) => sum + scan.beams, 0);
+  const every = Math.ceil(beams / MOST_VALUES);
+  const found = [];
+  for (const scan of scans) {
+    for (let i = 0; i < scan.beams; i += every) {
+      const one = value(scan, i);
+      if (Number.isFinite(one)) found.push(one);
+    }
+  }
+  return Float64Array.from(found).sort();
+}
+
+/** What lies between both ends, without the outermost twentieths. */
 function usual(values) {
-  const sorted = Float64Array.from(values).sort();
-  if (!sorted.length) return [0, 1];
-  const at = (share) => sorted[Math.round(share * (sorted.length - 1))];
+  if (!values.length) return [0, 1];
+  const at = (share) => values[Math.round(share * (values.length - 1))];
   const [low, high] = [at(0.05), at(0.95)];
   return high > low ? [low, high] : [low - 0.5, high + 0.5];
 }
 
-function each(scan, value) {
-  const found = [];
-  for (let i = 0; i < scan.beams; ++i) {
-    const one = value(i);
-    if (Number.isFinite(one)) found.push(one);
+function byRange(scans) {
+  const [low, high] = usual(sorted(scans, sentRange));
+  return {
+    colourOf: (scan, i, range_m = sentRange(scan, i)) => colours.viridis((range_m - low) / (high - low)),
+    legend: {title: 'Range', scale: colours.viridis, low: `${low.toFixed(2)} m`, high: `${high.toFixed(2)} m`},
+  };
+}
+
+function byIntensity(scans) {
+  const title = 'Intensity';
+  const telling = scans.filter(({arrays}) => arrays.intensity?.length);
+  if (!telling.length) {
+    return {colourOf: () => PLAIN, legend: {title, names: [{name: 'no sensor tells it', colour: PLAIN}]}};
   }
-  return found;
-}
-
-function byRange(scan) {
-  const [low, high] = usual(each(scan, (i) => sentRange(scan, i)));
+  const value = (scan, i) => Math.log(Math.max(scan.arrays.intensity[i], 1));
+  const [low, high] = usual(sorted(telling, (scan, i) => sentRange(scan, i) > 0 ? value(scan, i) : NaN));
   return {
-    colourOf: (i, range_m = sentRange(scan, i)) => colours.viridis((range_m - low) / (high - low)),
-    legend: {scale: colours.viridis, low: `${low.toFixed(2)} m`, high: `${high.toFixed(2)} m`},
+    colourOf: (scan, i) => scan.arrays.intensity?.length
+      ? colours.viridis((value(scan, i) - low) / (high - low)) : PLAIN,
+    legend: {title, scale: colours.viridis, low: Math.exp(low).toFixed(0), high: Math.exp(high).toFixed(0)},
   };
 }
 
-function byIntensity(scan) {
-  const intensity = scan.arrays.intensity;
-  if (!intensity?.length) return {colourOf: () => PLAIN, legend: {note: 'this sensor tells no intensity'}};
-  const value = (i) => Math.log(Math.max(intensity[i], 1));
-  const [low, high] = usual(each(scan, (i) => Number.isFinite(sentRange(scan, i)) ? value(i) : NaN));
-  return {
-    colourOf: (i) => colours.viridis((value(i) - low) / (high - low)),
-    legend: {scale: colours.viridis, low: Math.exp(low).toFixed(0), high: Math.exp(high).toFixed(0)},
-  };
-}
-
-function byName(scan, nameOf, colourOf, shownAs = String) {
-  const seen = new Map();
-  for (let i = 0; i < scan.beams; ++i) {
-    const name = nameOf(i);
-    if (name !== null && !seen.has(name)) seen.set(name, colourOf(name));
+/** How many beams have each name; those without one do not count. */
+function counted(scans, nameOf) {
+  const counts = new Map();
+  for (const scan of scans) {
+    for (let i = 0; i < scan.beams; ++i) {
+      const name = nameOf(scan, i);
+      if (name !== null) counts.set(name, (counts.get(name) || 0) + 1);
+    }
   }
+  return counts;
+}
+
+function byMaterial(scans, {materialLooks}) {
+  const counts = counted(scans, returnedMaterial);
+  materialLooks.meet(counts);
+  const lookOf = (scan, i) => materialLooks.of(returnedMaterial(scan, i));
+  const names = materialLooks.names.filter((name) => counts.has(name));
   return {
-    colourOf: (i) => seen.get(nameOf(i)) || PLAIN,
-    legend: {names: [...seen].map(([name, colour]) => ({name: shownAs(name), colour}))},
+    colourOf: (scan, i) => lookOf(scan, i)?.colour || PLAIN,
+    shapeOf: (scan, i) => lookOf(scan, i)?.shape || 0,
+    legend: {title: 'Material', names: names.map((name) => ({name, ...materialLooks.of(name)}))},
   };
 }
 
-function byError(scan) {
-  const truth = scan.arrays.true_m;
-  const error = (i) => sentRange(scan, i) - truth[i];
-  const sizes = each(scan, (i) => Math.abs(error(i))).sort((a, b) => a - b);
+function byObject(scans, {nameOfObject}) {
+  const ids = [...counted(scans, objectOf).keys()];
+  return {
+    colourOf: (scan, i) => {
+      const id = objectOf(scan, i);
+      return id === null ? PLAIN : colours.ofNumber(id);
+    },
+    legend: {title: 'Object', names: ids.map((id) => ({name: nameOfObject(id), colour: colours.ofNumber(id)}))},
+  };
+}
+
+function bySensor(scans, {colourOfSensor}) {
+  const names = scans.map(({sensor}) => ({name: sensor, colour: colourOfSensor(sensor)}));
+  // The panel Sensors has them all.
+  return {colourOf: (scan) => colourOfSensor(scan.sensor), legend: {title: 'Sensor', names, most: 5}};
+}
+
+function byError(scans) {
+  const error = (scan, i) => sentRange(scan, i) - returnedRange(scan, i);
+  const sizes = sorted(scans, (scan, i) => Math.abs(error(scan, i)));
   const most = Math.max(3 * (sizes[Math.floor(sizes.length / 2)] || 0), 0.01);
   const mm = Math.round(1000 * most);
   return {
-    colourOf: (i) => Number.isFinite(error(i)) ? colours.ofError(error(i) / most) : PLAIN,
-    legend: {scale: (share) => colours.ofError(2 * share - 1), low: `−${mm} mm`, high: `+${mm} mm`},
+    colourOf: (scan, i) => Number.isFinite(error(scan, i)) ? colours.ofError(error(scan, i) / most) : PLAIN,
+    legend: {title: 'Error, sent − returned', scale: (share) => colours.ofError(2 * share - 1),
+      low: `−${mm} mm`, high: `+${mm} mm`},
   };
 }
 
-/** nameOfObject(id) is what a legend calls an object. */
-export function paintOf(name, scan, nameOfObject) {
-  if (name === 'intensity') return byIntensity(scan);
-  if (name === 'material') return byName(scan, (i) => materialOf(scan, i), colours.ofMaterial);
-  if (name === 'object') return byName(scan, (i) => objectOf(scan, i), colours.ofNumber, nameOfObject);
-  if (name === 'error' && scan.arrays.sent_mm) return byError(scan);
-  return byRange(scan);
+const MAKERS = {
+  range: byRange, intensity: byIntensity, material: byMaterial, object: byObject, sensor: bySensor, error: byError,
+};
+
+/**
+ * {colourOf(scan, i, range_m), shapeOf(scan, i), legend: {title, and scale, low, high, or names: [{name, colour,
+ * shape}]}}. words: {nameOfObject(id), colourOfSensor(name), materialLooks}
+ */
+export function paintOf(name, scans, words) {
+  const wanted = name === 'auto' ? (scans.length > 1 ? 'sensor' : 'range') : name;
+  return {shapeOf: () => 0, ...MAKERS[wanted](scans, words)};
 }

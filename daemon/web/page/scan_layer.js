@@ -1,69 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What is drawn of the latest scan of one sensor: rays that are green to the hit and red from it on, what was sent as
-// points, further echoes, the truth beside it, and a trail.
+// What is drawn of the latest scan of one sensor: rays if it is the chosen one, else the fan that it looks over; what
+// was sent as points, further echoes, the truth beside it, and a trail.
 import {Group} from './three.module.js';
+import {Fan} from './fan.js';
 import {LineMarks, PointMarks} from './marks.js';
 import {Trail} from './trail.js';
-import {paintOf} from './paints.js';
+import {endOf, isHit, reachOf} from './reach.js';
 import {firstEcho, sentRange, shapeOf} from './scan_shape.js';
 
 const GREEN = [0.10, 0.72, 0.25];
 const RED = [0.90, 0.16, 0.14];
 const TRUE_COLOUR = [1, 1, 1];
-const RAY_OPACITY = 0.4;
+// Near the scanner they lie side by side.
+const NEAR_OPACITY = 0.08;
+const FAR_OPACITY = 0.32;
 // More of them are one green plain, in which nobody sees a ray.
-const MOST_RAYS = 400;
-const FARTHEST_M = 30;
+const MOST_RAYS = 280;
+const CHOSEN_PX = 4.5;
+const OTHERS_PX = 3;
 
 export class ScanLayer {
-  /** nameOf(id) is the name of an object. */
-  constructor(settings, nameOf) {
+  constructor(settings, colour) {
     this.settings = settings;
-    this.nameOf = nameOf;
     this.group = new Group();
+    this.fan = new Fan(colour);
     this.rays = new LineMarks();
-    this.hits = new PointMarks(4.5, {rim_px: 2});
+    this.hits = new PointMarks(CHOSEN_PX, {rim_px: 2});
     this.truths = new PointMarks(2, {order: 4});
     this.echoes = new PointMarks(4, {rim_px: 2});
     this.trail = new Trail();
     this.scan = null;
+    this.isChosen = false;
+    this.world = null;
+    this.group.add(this.fan.group);
     for (const marks of this.marks()) this.group.add(marks.group);
+  }
+
+  /** The chosen one is drawn with rays, as no more than one can be without hiding all the rest. */
+  choose(isChosen) {
+    this.isChosen = isChosen;
+    this.hits.setSize(isChosen ? CHOSEN_PX : OTHERS_PX);
+    this.hits.setRim(isChosen);
+  }
+
+  /** The box around the world, beyond which nothing is drawn. */
+  bound(world) {
+    this.world = world;
   }
 
   marks() {
     return [this.trail.marks, this.rays, this.truths, this.echoes, this.hits];
   }
 
-  take(scan, now_s) {
+  take(scan) {
     this.scan = scan;
     this.shape = shapeOf(scan);
-    this.redraw();
-    this.trail.setLength(this.settings.get('trail_s'));
-    this.trail.add(now_s, this.hits, this.hitsCount);
   }
 
-  /** With other settings, or with another scan. */
-  redraw() {
+  /** The scan that it took is another one than before. */
+  drawNew(paint) {
+    this.redraw(paint);
+    this.trail.setLength(this.settings.get('trail_s'));
+    this.trail.add(this.scan.time_s, this.hits, this.hitsCount);
+  }
+
+  /** With other settings, or another scan. */
+  redraw(paint) {
     if (!this.scan) return;
-    this.paint = paintOf(this.settings.get('paint'), this.scan, this.nameOf);
+    this.paint = paint;
     this.drawHits();
     this.drawTruths();
     this.drawEchoes();
     this.drawRays();
+    this.drawFan();
     for (const marks of this.marks()) marks.setThrough(this.settings.get('through'));
   }
 
   drawHits() {
-    const {scan, hits} = this;
+    const {scan, hits, paint} = this;
     hits.reserve(scan.beams);
     let count = 0;
     for (let i = 0; i < scan.beams; ++i) {
       const range_m = sentRange(scan, i);
       if (!(range_m > 0)) continue;
       hits.putAlong(count, this.shape, i, range_m);
-      hits.tint(count++, this.paint.colourOf(i), 1);
+      hits.setShape(count, paint.shapeOf(scan, i));
+      hits.tint(count++, paint.colourOf(scan, i), 1);
     }
     this.hitsCount = count;
     hits.show(this.settings.get('points') ? count : 0);
@@ -91,7 +115,7 @@ export class ScanLayer {
       for (let i = 0; i < this.scan.beams; ++i) {
         for (let e = firstEcho(this.scan, i) + 1; e < ends[i]; ++e) {
           this.echoes.putAlong(count, this.shape, i, echoes[e] / 1000);
-          this.echoes.tint(count++, this.paint.colourOf(i, echoes[e] / 1000), 0.75);
+          this.echoes.tint(count++, this.paint.colourOf(this.scan, i, echoes[e] / 1000), 0.75);
         }
       }
     }
@@ -99,18 +123,25 @@ export class ScanLayer {
   }
 
   drawRays() {
-    const {scan} = this;
-    const farthest_m = scan.max_range_m || FARTHEST_M;
+    const {scan, shape} = this;
+    const [isWanted, goesOn] = [this.isChosen && this.settings.get('rays'), this.settings.get('behind')];
     const every = Math.ceil(scan.beams / MOST_RAYS);
     this.rays.reserve(4 * Math.ceil(scan.beams / every));
     let at = 0;
-    for (let i = 0; this.settings.get('rays') && i < scan.beams; i += every) {
-      const hit_m = scan.arrays.true_m[i];
-      const isHit = hit_m > 0 && hit_m < farthest_m;
-      at = this.line(at, i, 0, isHit ? hit_m : farthest_m, GREEN, RAY_OPACITY, RAY_OPACITY);
-      if (isHit) at = this.line(at, i, hit_m, farthest_m, RED, 0.8 * RAY_OPACITY, 0);
+    for (let i = 0; isWanted && i < scan.beams; i += every) {
+      const reach_m = reachOf(scan, shape, i, this.world);
+      at = this.line(at, i, 0, reach_m, GREEN, NEAR_OPACITY, FAR_OPACITY);
+      if (!goesOn || !isHit(scan, i)) continue;
+      at = this.line(at, i, reach_m, endOf(scan, shape, i, this.world), RED, FAR_OPACITY, 0);
     }
     this.rays.show(at);
+  }
+
+  /** A picture has a frustum instead, and a cone its few rays. */
+  drawFan() {
+    const isWanted = this.scan.kind === 'scan' && !this.isChosen && this.settings.get('fans');
+    if (isWanted) this.fan.show(this.shape, (i) => reachOf(this.scan, this.shape, i, this.world));
+    else this.fan.hide();
   }
 
   line(at, i, from_m, to_m, colour, opacityFrom, opacityTo) {
@@ -122,6 +153,7 @@ export class ScanLayer {
   }
 
   dispose() {
+    this.fan.dispose();
     for (const marks of this.marks()) marks.dispose();
   }
 }

@@ -88,9 +88,16 @@ export function sentRange(scan, i) {
   return mm < scan.nearest_mm || mm > scan.dmax_mm ? NaN : mm / 1000;
 }
 
-/** Of the material of a beam: a name or null. */
-export function materialOf(scan, i) {
-  const index = scan.arrays.material?.[i] ?? -1;
+/** How far away that is which returned the light of a beam, in m: it may stand behind glass. */
+export function returnedRange(scan, i) {
+  const {returned_m: returned, true_m: met} = scan.arrays;
+  return (returned || met)?.[i] ?? NaN;
+}
+
+/** The material of that: a name or null. */
+export function returnedMaterial(scan, i) {
+  const {returned_material: returned, material: met} = scan.arrays;
+  const index = (returned || met)?.[i] ?? -1;
   return index < 0 ? null : scan.materials[index];
 }
 

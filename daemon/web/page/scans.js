@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which sensors' scans one wants to see, and their pictures. The daemon sends a sensor's next scan when the last one
-// was drawn, so a slow page gets fewer of them and nothing else waits for it.
+// Which sensors' scans one wants to see, and their pictures. The chosen one is drawn with rays. The daemon sends a
+// sensor's next scan when the last one was drawn, so a slow page gets fewer of them and nothing else waits for it.
+import {MaterialLooks} from './material_looks.js';
+import {ofScanner} from './colours.js';
+import {paintOf} from './paints.js';
 import {readScan} from './scan_message.js';
 import {ScanLayer} from './scan_layer.js';
 import {SensorMark} from './sensor_mark.js';
 
-const REDRAWN_BY = ['paint', 'rays', 'points', 'echoes', 'truth', 'through', 'trail_s'];
+const REDRAWN_BY = ['paint', 'rays', 'behind', 'fans', 'points', 'echoes', 'truth', 'through', 'trail_s'];
 
 /** Tells scan (detail: the scan) and shown. */
 export class Scans extends EventTarget {
@@ -22,11 +25,21 @@ export class Scans extends EventTarget {
     this.latest = new Map();
     this.unacknowledged = [];
     this.counts = new Map();
+    this.paint = null;
+    this.words = {
+      nameOfObject: (id) => world.nameOf(id),
+      colourOfSensor: (sensor) => this.colourOf(sensor),
+      materialLooks: new MaterialLooks(),
+    };
     connection.addEventListener('open', () => this.subscribe());
     connection.addEventListener('binary', (event) => this.take(this.known(readScan(event.detail))));
     stage.beforeEach(() => this.draw());
     stage.afterEach(() => this.acknowledge());
     for (const name of REDRAWN_BY) settings.watch(name, () => this.redraw());
+    settings.watch('sensor', () => this.choose());
+    status.addEventListener('changed', () => this.warn());
+    world.addEventListener('changed', () => this.redraw());
+    world.addEventListener('loaded', () => this.words.materialLooks.forget());
   }
 
   isShown(sensor) {
@@ -37,19 +50,48 @@ export class Scans extends EventTarget {
     return [...this.layers.keys()];
   }
 
+  /** The one that the user has chosen, or the first of those that are shown. */
+  get chosen() {
+    const wanted = this.settings.get('sensor');
+    return this.isShown(wanted) ? wanted : this.shown[0];
+  }
+
+  colourOf(sensor) {
+    return ofScanner(Math.max(this.status.sensors.findIndex(({name}) => name === sensor), 0));
+  }
+
   show(sensor, on) {
-    if (on === this.isShown(sensor)) return;
-    if (on) this.addLayer(sensor);
-    else this.removeLayer(sensor);
+    this.showAll([sensor], on);
+  }
+
+  showAll(sensors, on) {
+    const others = sensors.filter((sensor) => this.isShown(sensor) !== on);
+    if (!others.length) return;
+    for (const sensor of others) on ? this.addLayer(sensor) : this.removeLayer(sensor);
     this.subscribe();
-    this.stage.invalidate();
+    this.choose();
+    this.warn();
     this.dispatchEvent(new Event('shown'));
   }
 
   addLayer(sensor) {
-    const layer = {scan: new ScanLayer(this.settings, (id) => this.world.nameOf(id)), mark: new SensorMark()};
+    const colour = this.colourOf(sensor);
+    const layer = {scan: new ScanLayer(this.settings, colour), mark: new SensorMark(colour)};
     this.layers.set(sensor, layer);
     this.stage.scene.add(layer.scan.group, layer.mark.group);
+  }
+
+  /** Of faults that act. */
+  warn() {
+    for (const [sensor, {mark}] of this.layers) {
+      const isFaulty = this.status.sensor(sensor)?.faults.length > 0;
+      if (mark.warn(isFaulty)) this.stage.invalidate();
+    }
+  }
+
+  choose() {
+    for (const [sensor, {scan}] of this.layers) scan.choose(sensor === this.chosen);
+    this.redraw();
   }
 
   removeLayer(sensor) {
@@ -83,12 +125,21 @@ export class Scans extends EventTarget {
   }
 
   draw() {
+    if (!this.latest.size) return;
     for (const [sensor, scan] of this.latest) {
       const layer = this.layers.get(sensor);
-      layer.scan.take(scan, scan.time_s);
+      layer.scan.take(scan);
       layer.mark.take(scan);
     }
+    this.mixPaint();
+    for (const sensor of this.latest.keys()) this.layers.get(sensor).scan.drawNew(this.paint);
     this.latest.clear();
+  }
+
+  /** Of all scans that are drawn. */
+  mixPaint() {
+    const scans = [...this.layers.values()].map(({scan}) => scan.scan).filter(Boolean);
+    this.paint = scans.length ? paintOf(this.settings.get('paint'), scans, this.words) : null;
   }
 
   acknowledge() {
@@ -97,9 +148,12 @@ export class Scans extends EventTarget {
   }
 
   redraw() {
+    const extent = this.world.extent();
+    this.mixPaint();
     for (const {scan} of this.layers.values()) {
+      scan.bound(extent);
       scan.trail.setLength(this.settings.get('trail_s'));
-      scan.redraw();
+      scan.redraw(this.paint);
     }
     this.stage.invalidate();
   }
@@ -109,7 +163,7 @@ export class Scans extends EventTarget {
     return this.layers.get(sensor)?.scan.scan || null;
   }
 
-  legendOf(sensor) {
-    return this.layers.get(sensor)?.scan.paint?.legend || null;
+  get legend() {
+    return this.paint?.legend || null;
   }
 }

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where a sensor is: a small case that points ahead, and the frustum of a camera.
+// Where a sensor is: a small case that points ahead, the frustum of a camera, and a warning sign while a fault acts.
 import {
-  BufferGeometry, ConeBufferGeometry, CylinderBufferGeometry, Float32BufferAttribute, Group,
+  BufferGeometry, Color, ConeBufferGeometry, CylinderBufferGeometry, Float32BufferAttribute, Group,
   LineBasicMaterial, LineSegments, Mesh,
 } from './three.module.js';
 import {makeSurface} from './surface.js';
+import {makeWarningSign} from './warning_sign.js';
 import {matrixOf} from './pose.js';
 
-const CASE = [0.95, 0.62, 0.10];
 const FRUSTUM_M = 0.6;
 
 export class SensorMark {
-  constructor() {
-    this.surface = makeSurface(CASE);
+  constructor(colour) {
+    this.surface = makeSurface(colour);
     this.group = new Group();
     this.group.matrixAutoUpdate = false;
     // Cylinders and cones of three.js stand along y.
@@ -23,10 +23,12 @@ export class SensorMark {
     const tip = new Mesh(new ConeBufferGeometry(0.02, 0.06, 16), this.surface);
     tip.rotation.z = -Math.PI / 2;
     tip.position.x = 0.055;
-    this.frustum = new LineSegments(new BufferGeometry(), new LineBasicMaterial({color: 0xf09a1a}));
+    this.frustum = new LineSegments(new BufferGeometry(), new LineBasicMaterial({color: new Color(...colour)}));
     this.frustum.visible = false;
     this.frustum.frustumCulled = false;
-    this.group.add(body, tip, this.frustum);
+    this.sign = makeWarningSign();
+    this.sign.visible = false;
+    this.group.add(body, tip, this.frustum, this.sign);
     this.fov = null;
   }
 
@@ -34,6 +36,13 @@ export class SensorMark {
     this.group.matrix.copy(matrixOf(scan.pose));
     this.group.matrixWorldNeedsUpdate = true;
     if (scan.kind === 'picture') this.open(scan.fov_rad);
+  }
+
+  /** Whether a fault acts on it. True if that is news. */
+  warn(isFaulty) {
+    const isNews = this.sign.visible !== isFaulty;
+    this.sign.visible = isFaulty;
+    return isNews;
   }
 
   open(fov_rad) {
@@ -49,6 +58,9 @@ export class SensorMark {
 
   dispose() {
     this.surface.dispose();
-    this.group.traverse((part) => part.geometry?.dispose());
+    this.sign.material.map.dispose();
+    this.sign.material.dispose();
+    // All sprites of three.js have one geometry.
+    this.group.traverse((part) => { if (part !== this.sign) part.geometry?.dispose(); });
   }
 }

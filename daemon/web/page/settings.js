@@ -6,8 +6,10 @@ import {PAINTS} from './paints.js';
 
 export const DEFAULTS = {
   theme: 'auto',
-  paint: 'range',
+  paint: 'auto',
   rays: true,
+  behind: false,
+  fans: true,
   points: true,
   echoes: true,
   truth: false,

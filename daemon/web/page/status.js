@@ -4,6 +4,7 @@
 // What GET /status says, once a second, and the rates that follow from two answers.
 
 const BETWEEN_MS = 1000;
+const NO_RATES = {poses: null, scans: new Map(), sent: new Map()};
 
 /** Tells changed (with .latest and .rates), and lost (detail: why). */
 export class Status extends EventTarget {
@@ -11,7 +12,7 @@ export class Status extends EventTarget {
     super();
     this.server = server;
     this.latest = null;
-    this.rates = {poses: null, scans: new Map()};
+    this.rates = NO_RATES;
   }
 
   begin() {
@@ -33,7 +34,7 @@ export class Status extends EventTarget {
     // Of a daemon that began anew there is nothing to compare with.
     const before = this.latest && this.latest.uptime_s <= status.uptime_s ? this.latest : null;
     const past_s = (asked_ms - this.asked_ms) / 1000;
-    this.rates = before ? ratesBetween(before, status, past_s) : {poses: null, scans: new Map()};
+    this.rates = before ? ratesBetween(before, status, past_s) : NO_RATES;
     this.latest = status;
     this.asked_ms = asked_ms;
     this.dispatchEvent(new Event('changed'));
@@ -48,17 +49,16 @@ export class Status extends EventTarget {
   }
 }
 
+/** scans: that were cast, for drivers and for pages; sent: that drivers took. */
 function ratesBetween(before, now, past_s) {
-  const old = new Map(before.sensors.map((sensor) => [sensor.name, castsOf(sensor)]));
-  const scans = new Map();
-  for (const sensor of now.sensors) {
-    const past = castsOf(sensor) - old.get(sensor.name);
-    if (past >= 0) scans.set(sensor.name, past / past_s);
-  }
-  return {poses: (now.poses.accepted - before.poses.accepted) / past_s, scans};
-}
-
-/** All that were cast, for drivers and for pages. */
-function castsOf({casts}) {
-  return Object.values(casts).reduce((sum, each) => sum + each, 0);
+  const rates = (count) => {
+    const old = new Map(before.sensors.map((sensor) => [sensor.name, count(sensor)]));
+    return new Map(now.sensors.map((sensor) => [sensor.name, (count(sensor) - old.get(sensor.name)) / past_s])
+      .filter(([, rate]) => rate >= 0));
+  };
+  return {
+    poses: (now.poses.accepted - before.poses.accepted) / past_s,
+    scans: rates(({casts}) => Object.values(casts).reduce((sum, each) => sum + each, 0)),
+    sent: rates(({scans}) => scans),
+  };
 }

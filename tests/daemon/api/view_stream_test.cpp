@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <deque>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -36,6 +37,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using nlohmann::json;
+using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -426,6 +428,34 @@ TEST(ViewFrame, KeepsUpWithARobotThatMoves) {
         const float x = poses[7 * (beam * count / 1000)];
         EXPECT_NEAR(middle + static_cast<double>(x), 1e6 + 0.001 * static_cast<double>(beam), 0.01);
     }
+}
+
+TEST(ViewFrame, TellsWhatReturnedTheLight) {
+    // Glass at 2 m and a wall at 3 m: the first beam reads the wall, the second the glass, and the
+    // third beam has no echo.
+    sim::Scan scan;
+    scan.world_from_sensor.push_back({{0, 0, 0}, {1, 0, 0, 0}});
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (const float read_m : {2.98F, 2.01F, infinite}) {
+        scan.hits.push_back({.range_m = 2.0F, .cos_incidence = 1.0F, .object = 0});
+        scan.readings.push_back({.range_m = read_m});
+        if (read_m < infinite) {
+            scan.echoes.add({.range_m = 2.0F, .object = 0, .material = 0});
+            scan.echoes.add({.range_m = 3.0F, .object = 0, .material = 1});
+        }
+        scan.echoes.finish_beam();
+    }
+    ScanRecord record;
+    record.cast = std::make_shared<const sim::Scan>(scan);
+    sim::Scene scene;
+    scene.materials = {{.name = "glass"}, {.name = "wall"}};
+    record.scene = std::make_shared<const sim::Scene>(std::move(scene));
+    record.steps_per_turn = 1440;
+    const SeenFrame frame(view_frame("r/s", record, {}, ViewDepth::truth));
+    EXPECT_THAT(frame.array<float>("returned_m"), ElementsAre(3.0F, 2.0F, 2.0F));
+    EXPECT_THAT(frame.array<float>("true_m"), ElementsAre(2.0F, 2.0F, 2.0F));
+    EXPECT_EQ(frame.header["materials"], json({"glass", "wall"}));
+    EXPECT_THAT(frame.array<std::int16_t>("returned_material"), ElementsAre(1, 0, 0));
 }
 
 TEST(ViewRequest, IsReadWithCare) {

@@ -76,7 +76,7 @@ def check_that_it_has_a_page(tree):
         except OSError:
             pass  # somebody else has it
         taken.listen()
-        assert tree.handed() == "--http 127.0.0.1:0"
+        assert tree.handed("--seed", "7") == "--seed 7 --http 127.0.0.1:0"
     page = " --http 127.0.0.1:"
     silent, spoken = tree.root / "silent.yaml", tree.root / "spoken.yaml"
     silent.write_text("# http: none\nscene: room.sdf\n")
@@ -89,12 +89,20 @@ def check_that_it_has_a_page(tree):
         assert tree.handed(*options) == " ".join(map(str, options)), options
 
 
+def check_that_the_demo_drives(tree):
+    drive = tree.root / "scenes/rescue_maze.tum"
+    assert tree.handed().startswith(f"--poses {drive} --http 127.0.0.1:")
+    assert (SOURCES / drive.relative_to(tree.root)).exists()
+    assert "--poses" not in tree.handed("--pose", "1,1,0")
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         tree = Tree(pathlib.Path(folder))
         check_what_it_prints(tree)
         check_what_it_prints_of_a_failure(tree)
         check_that_it_has_a_page(tree)
+        check_that_the_demo_drives(tree)
 
 
 main()

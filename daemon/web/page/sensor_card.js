@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// How one sensor is doing, and whether one sees its scans. Among many it is a row until it is chosen.
+import {ErrorsForm} from './errors_form.js';
+import {css} from './colours.js';
+import {histogram} from './histogram.js';
+import {make, tell} from './elements.js';
+import {pictureOf} from './picture.js';
+
+const STATE_KINDS = {streaming: 'good', measuring: 'good', error: 'bad', booting: 'busy'};
+
+export class SensorCard {
+  constructor(name, panel) {
+    const {settings, scans, status} = panel;
+    Object.assign(this, {name, settings, scans, status});
+    this.errors = new ErrorsForm(name, panel);
+    this.box = make('input', {type: 'checkbox', 'aria-label': `Show the scans of ${name}`});
+    this.box.addEventListener('change', () => scans.show(name, this.box.checked));
+    this.title = make('button', {class: 'name', title: 'Choose it for the other panels',
+      on: {click: () => settings.set('sensor', name)}}, name);
+    this.swatch = make('span', {class: 'swatch circle'});
+    this.state = make('span', {class: 'chip'});
+    this.faults = make('span', {class: 'row faults'});
+    this.brief = make('p', {class: 'brief dim small'});
+    this.model = make('span', {class: 'dim'});
+    this.facts = make('dl', {class: 'facts'});
+    this.values = new Map();
+    this.warning = make('p', {class: 'warning', hidden: true});
+    this.late = make('div');
+    this.picture = make('canvas', {class: 'picture', hidden: true});
+    this.element = make('section', {class: 'card sensor'},
+      make('div', {class: 'row'}, this.box, this.swatch, this.title, this.faults, this.state),
+      this.brief, make('div', {class: 'whole'},
+        this.model, this.warning, this.facts, this.errors.element, this.picture, this.late));
+  }
+
+  update(sensor) {
+    this.box.checked = this.scans.isShown(this.name);
+    this.element.classList.toggle('chosen', this.settings.get('sensor') === this.name);
+    this.title.setAttribute('aria-pressed', this.settings.get('sensor') === this.name);
+    this.swatch.style.background = css(this.scans.colourOf(this.name));
+    tell(this.state, sensor.state);
+    this.state.className = `chip ${STATE_KINDS[sensor.state] || ''}`;
+    this.updateFaults([...new Set(sensor.faults)]);
+    tell(this.brief, this.briefOf(sensor));
+    tell(this.model, `${sensor.model}, by ${sensor.backend}`);
+    this.warning.hidden = !sensor.warning;
+    tell(this.warning, sensor.warning || '');
+    for (const [label, value, title] of this.factsOf(sensor)) this.fact(label, value, title);
+    this.errors.update(sensor.errors);
+    this.updateLateness(sensor);
+    this.updatePicture();
+  }
+
+  /** A scanner that something is done to is in no state that one could rely on. */
+  updateFaults(kinds) {
+    this.state.hidden = kinds.length > 0;
+    this.element.classList.toggle('faulty', kinds.length > 0);
+    if (kinds.join() === this.acting) return;
+    this.acting = kinds.join();
+    this.faults.replaceChildren(...kinds.map((kind) =>
+      make('span', {class: 'chip bad', title: `The fault ${kind} acts`}, kind)));
+  }
+
+  get sentRate() {
+    return hertz(this.status.rates.sent.get(this.name));
+  }
+
+  briefOf({clients, lost, lateness_ms: {p99}}) {
+    const sent = clients ? `${this.sentRate} to ${clients === 1 ? 'a client' : `${clients} clients`}` : 'no client';
+    return [sent, ...p99 === null ? [] : [`${ms(p99)} late`], `${lost} lost`].join(' · ');
+  }
+
+  factsOf(sensor) {
+    const {p50, p99, max} = sensor.lateness_ms;
+    return [
+      ['Clients', sensor.clients, 'that are connected now'],
+      ['Rate', sensor.clients ? this.sentRate : '–', 'scans that go to drivers in a second'],
+      ['Lost', sensor.lost, 'scans that a driver did not get'],
+      ['Cast', hertz(this.status.rates.scans.get(this.name)), 'scans that are cast in a second, for drivers and pages'],
+      ['TCP', sensor.tcp || 'none'],
+      ['tty', sensor.pty || 'none'],
+      ['Late', `${ms(p50)}, 99 %: ${ms(p99)}, most: ${ms(max)}`, 'how long after its time a scan left'],
+    ];
+  }
+
+  fact(label, value, title) {
+    if (!this.values.has(label)) {
+      const place = make('dd');
+      this.values.set(label, place);
+      this.facts.append(make('div', {title}, make('dt', {}, label), place));
+    }
+    tell(this.values.get(label), String(value));
+  }
+
+  updateLateness({lateness_histogram: lateness}) {
+    const key = JSON.stringify(lateness);
+    if (!lateness || key === this.drawn) return;
+    this.drawn = key;
+    this.late.replaceChildren(histogram(lateness));
+  }
+
+  updatePicture() {
+    const scan = this.scans.scanOf(this.name);
+    this.picture.hidden = scan?.kind !== 'picture';
+    if (!this.picture.hidden) pictureOf(scan, this.picture);
+  }
+}
+
+function ms(value) {
+  return value === null ? '–' : `${value.toFixed(value < 1 ? 2 : 1)} ms`;
+}
+
+function hertz(rate) {
+  return rate === undefined ? '–' : `${rate.toFixed(1)} Hz`;
+}

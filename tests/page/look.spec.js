@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What one sees at once, measured in pixels: the picture must not drown in the rays of its scanners.
+import {mkdirSync} from 'node:fs';
+import {SENSOR, expect, open, test, withScan} from './page.js';
+import {hash, lookFrom} from './eye.js';
+import {readPng} from './png.js';
+import {fleet} from './rigs.js';
+import {Scip} from './scip.js';
+import {scene} from './daemon.js';
+
+const EYE = [-1.5, -4, 17];
+const AT = [7.2, 7.2, 0];
+
+/** Each x and y of the view that nothing lies on, but for its buttons, legend and scale. */
+function* places({x, y, width, height}) {
+  for (let v = Math.ceil(y) + 60; v < y + height - 10; ++v) {
+    for (let u = Math.ceil(x) + 250; u < x + width - 10; ++u) yield [u, v];
+  }
+}
+
+/** Redder than wood and brick are. */
+function isRed([r, g, b]) {
+  return r > 110 && g < 0.6 * r && b < 0.6 * r;
+}
+
+function redShare({pixels, box}) {
+  let [red, all] = [0, 0];
+  for (const [u, v] of places(box)) {
+    red += isRed(pixels.at(u, v));
+    all += 1;
+  }
+  return red / all;
+}
+
+/** Of the edges that one picture shows, those that another one still shows: its pixels differ in the same way. */
+function edgesKept(bare, full) {
+  let [kept, all] = [0, 0];
+  const step = ({pixels}, u, v, [du, dv]) => {
+    const [a, b] = [pixels.at(u, v), pixels.at(u + du, v + dv)];
+    return a.map((value, k) => value - b[k]);
+  };
+  const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
+  for (const [u, v] of places(bare.box)) {
+    for (const aside of [[1, 0], [0, 1]]) {
+      const edge = step(bare, u, v, aside);
+      const strength = dot(edge, edge);
+      if (strength < 40 ** 2) continue;
+      all += 1;
+      kept += dot(edge, step(full, u, v, aside)) > 0.5 * strength;
+    }
+  }
+  expect(all).toBeGreaterThan(2000);
+  return kept / all;
+}
+
+async function look(page, daemon, rest = {}) {
+  const sensors = (await daemon.get('/sensors')).map(({name}) => name);
+  await page.goto('about:blank');
+  await open(page, daemon, hash(EYE, AT, {theme: 'light', show: sensors.join(), grid: 'false', ...rest}));
+  await expect.poll(() => page.locator('#sensors .row > input:checked').count()).toBeGreaterThanOrEqual(sensors.length);
+  await page.waitForTimeout(2000);
+  return {pixels: readPng(await page.screenshot()), box: await page.locator('#canvas').boundingBox()};
+}
+
+const BARE = {rays: 'false', fans: 'false', points: 'false'};
+
+test('with four scanners no more than a twentieth of the view is red', async ({page, start}) => {
+  const daemon = await start(['--config', scene('two_robots.yaml'), '--http', '127.0.0.1:0', '--free-ports']);
+  const [four, bare] = [await look(page, daemon), await look(page, daemon, BARE)];
+  const [share, before] = [redShare(four), redShare(bare)];
+  console.log(`red with four scanners: ${(100 * share).toFixed(2)} %, with none: ${(100 * before).toFixed(2)} %`);
+  expect(share).toBeLessThan(0.05);
+});
+
+test('with thirty scanners the maze is still seen', async ({page, start}, info) => {
+  mkdirSync(info.outputDir, {recursive: true});
+  const daemon = await start(fleet(info.outputDir, 10));
+  const [thirty, bare] = [await look(page, daemon), await look(page, daemon, BARE)];
+  const [kept, red] = [edgesKept(bare, thirty), redShare(thirty)];
+  console.log(`edges kept: ${(100 * kept).toFixed(1)} %, red: ${(100 * red).toFixed(2)} %`);
+  expect(kept).toBeGreaterThan(0.5);
+  expect(red).toBeLessThan(0.05);
+});
+
+test('draws nothing beyond the world', async ({page, start}) => {
+  const daemon = await start(['--scene', scene('square_room.sdf'), '--accuracy', 'ideal']);
+  const [eye, at] = [[0, -0.01, 14], [0, 0, 0]];
+  const drawn = async (settings) => {
+    await page.goto('about:blank');
+    await open(page, daemon, hash(eye, at, {theme: 'light', grid: 'false', truth: 'true', ...settings}));
+    await page.waitForTimeout(1000);
+    return readPng(await page.screenshot());
+  };
+  const [rays, bare] = [await drawn({behind: 'true'}), await drawn({rays: 'false', points: 'false', truth: 'false'})];
+  const box = await page.locator('#canvas').boundingBox();
+  const project = lookFrom(eye, at, box);
+  // The outer walls of the room are 0.1 m thick, and 1 m high.
+  const [low, high] = [project([-3.6, -2.6, 0]), project([3.6, 2.6, 0])];
+  let [outside, inside] = [0, 0];
+  for (const [u, v] of places(box)) {
+    const differs = Math.hypot(...rays.at(u, v).map((value, k) => value - bare.at(u, v)[k])) > 6;
+    const isIn = u > low.x && u < high.x && v < low.y && v > high.y;
+    if (isIn) inside += differs;
+    else outside += differs;
+  }
+  expect(inside).toBeGreaterThan(1000);
+  expect(outside).toBe(0);
+});
+
+test('begins with a look at the robot and its scan', async ({page, start}) => {
+  const daemon = await start(['--pose', '4.2,9,0.5', '--accuracy', 'ideal']);
+  await open(page, daemon);
+  await withScan(page);
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain('eye=');
+  const from = async (name) => page.evaluate((key) => new URLSearchParams(location.hash.slice(1)).get(key), name)
+    .then((text) => text.split(',').map(Number));
+  const box = await page.locator('#canvas').boundingBox();
+  const project = lookFrom(await from('eye'), await from('at'), box);
+  const truth = await daemon.get(`/sensors/${SENSOR}/truth`);
+  const [{xyz}] = truth.poses;
+  const hits = truth.true_m.flatMap((range_m, i) => {
+    const angle = 0.5 + (truth.steps[i] - 540) * 2 * Math.PI / 1440;
+    return range_m ? [project([xyz[0] + range_m * Math.cos(angle), xyz[1] + range_m * Math.sin(angle), xyz[2]])] : [];
+  });
+  const inView = ({x, y}) => x > box.x && x < box.x + box.width && y > box.y && y < box.y + box.height;
+  expect([...hits, project(xyz)].every(inView)).toBe(true);
+  const span = (axis) => Math.max(...hits.map((hit) => hit[axis])) - Math.min(...hits.map((hit) => hit[axis]));
+  expect(Math.max(span('x') / box.width, span('y') / box.height)).toBeGreaterThan(0.5);
+});
+
+test('follows a robot that drives by itself', async ({page, start}) => {
+  const daemon = await start(['--poses', scene('rescue_maze.tum')]);
+  await open(page, daemon);
+  await withScan(page);
+  await expect(page.locator('#view-follow')).toHaveAttribute('aria-pressed', 'true');
+});
+
+test('says how to connect a driver until one is there', async ({page, start}) => {
+  const daemon = await start();
+  await open(page, daemon);
+  const card = page.getByRole('region', {name: 'Connect a driver'});
+  await expect(card).toContainText(daemon.ready.sensors[0].tcp);
+  const [address, port] = daemon.ready.sensors[0].tcp.split(':');
+  await expect(card.locator('#connect-command')).toHaveText(
+    `ros2 run urg_node urg_node_driver --ros-args -p ip_address:=${address} -p ip_port:=${port}`);
+  const scip = await Scip.connect(daemon.port);
+  await scip.ask('VV');
+  await expect(card).toBeHidden();
+  scip.close();
+  await expect(card).toBeVisible();
+  await card.getByRole('button', {name: 'Close'}).click();
+  await expect(card).toBeHidden();
+});
