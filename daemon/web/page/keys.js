@@ -63,11 +63,17 @@ export class Keys {
       {key: 'm', act: () => addDialog.choose(), shown: 'M', help: 'add a mesh from a file'},
       {key: 'delete', act: () => edits.remove(selection.thing), shown: 'Delete', help: 'delete the selected model'},
       {key: 'ctrl+z', act: () => undo.undo(), shown: 'Ctrl+Z', help: 'undo'},
-      {key: 'escape', act: () => selection.select(null), shown: 'Esc', help: 'select nothing'},
+      {key: 'i', act: toggle('inspect'), shown: 'I', help: 'inspect what the pointer is on'},
+      {key: 'escape', act: () => this.release(), shown: 'Esc', help: 'select and inspect nothing'},
       ...this.panelKeys(),
       {key: 'shift+?', act: () => this.help(), shown: '?', help: 'these keys'},
       {key: '?', act: () => this.help()},
     ];
+  }
+
+  release() {
+    this.selection.select(null);
+    this.inspection.pin(null);
   }
 
   panelKeys() {

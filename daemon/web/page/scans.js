@@ -67,9 +67,9 @@ export class Scans extends EventTarget {
     this.connection.send({scans});
   }
 
-  /** With what never changes of its scanner. */
+  /** With what never changes of its scanner, and when it came, in Unix time. */
   known(scan) {
-    return {...this.status.sensor(scan.sensor)?.identity, ...scan};
+    return {...this.status.sensor(scan.sensor)?.identity, ...scan, got_s: Date.now() / 1000};
   }
 
   take(scan) {
