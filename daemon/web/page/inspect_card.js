@@ -4,6 +4,7 @@
 // A card beside what one looks at closely, with all that is known of it, and a mark on it.
 import {Vector3} from './three.module.js';
 import {LineMarks, PointMarks} from './marks.js';
+import {Pace} from './pace.js';
 import {byId, make, tell} from './elements.js';
 import {factsOf, metres, nameOfBeam} from './beam_words.js';
 import {sentRange} from './scan_shape.js';
@@ -14,10 +15,10 @@ const AWAY_PX = 16;
 const MARGIN_PX = 6;
 
 export class InspectCard {
-  constructor({stage, scans, settings, world, inspection, pointed}) {
-    Object.assign(this, {stage, scans, settings, world, inspection, pointed});
+  constructor({stage, scans, settings, world, inspection, pointed, past}) {
+    Object.assign(this, {stage, scans, settings, world, inspection, pointed, past});
     this.card = byId('reading');
-    this.told_ms = 0;
+    this.pace = new Pace(BETWEEN_MS, () => this.tellFacts());
     this.point = new PointMarks(10, {rim_px: 3, order: 6});
     this.ray = new LineMarks();
     this.point.reserve(1);
@@ -25,9 +26,10 @@ export class InspectCard {
     stage.scene.add(this.ray.group, this.point.group);
     byId('reading-close').addEventListener('click', () => inspection.pin(null));
     inspection.addEventListener('changed', () => {
-      this.told_ms = 0;
+      this.pace.now();
       stage.invalidate();
     });
+    past.addEventListener('changed', () => this.pace.ask());
     stage.beforeEach(() => this.mark());
     stage.afterEach(() => this.update());
   }
@@ -74,27 +76,23 @@ export class InspectCard {
     this.card.hidden = !at;
     if (!at) return;
     byId('reading-close').hidden = this.inspection.target !== this.inspection.pinned;
-    const now_ms = performance.now();
-    if (now_ms - this.told_ms >= BETWEEN_MS) {
-      this.told_ms = now_ms;
-      this.tellFacts(place);
-    }
+    this.pace.ask();
     this.moveTo(at);
   }
 
-  tellFacts(place) {
+  tellFacts() {
+    const {target} = this.inspection;
     if (this.beam) {
       const {scan, i} = this.beam;
       tell(byId('reading-name'), `${scan.sensor}, ${nameOfBeam(scan, i)}`);
-      this.list(factsOf(scan, i, (id) => this.world.nameOf(id), Date.now() / 1000 - scan.got_s));
-    } else {
-      const {object} = this.inspection.target;
-      tell(byId('reading-name'), object.name);
-      this.list(this.factsOfFace(object, place));
+      this.list(factsOf(scan, i, (id) => this.world.nameOf(id), this.past.looksAt_s - scan.got_s));
+    } else if (target?.kind === 'face') {
+      tell(byId('reading-name'), target.object.name);
+      this.list(this.factsOfFace(target));
     }
   }
 
-  factsOfFace(object, place) {
+  factsOfFace({object, place}) {
     const scan = this.scans.scanOf(this.settings.get('sensor'));
     const sensor = scan && new Vector3(...scan.pose.xyz);
     return [

@@ -22,6 +22,7 @@ export class Scans extends EventTarget {
     this.latest = new Map();
     this.unacknowledged = [];
     this.counts = new Map();
+    this.isHeld = false;
     connection.addEventListener('open', () => this.subscribe());
     connection.addEventListener('binary', (event) => this.take(this.known(readScan(event.detail))));
     stage.beforeEach(() => this.draw());
@@ -63,8 +64,19 @@ export class Scans extends EventTarget {
 
   subscribe() {
     const scans = {};
-    for (const sensor of this.layers.keys()) scans[sensor] = {true: true};
+    for (const sensor of this.isHeld ? [] : this.layers.keys()) scans[sensor] = {true: true};
     this.connection.send({scans});
+  }
+
+  /** From now on scans come only from drawPast(). */
+  hold(on) {
+    this.isHeld = on;
+    this.subscribe();
+  }
+
+  drawPast(scan) {
+    if (this.layers.has(scan.sensor)) this.latest.set(scan.sensor, scan);
+    this.stage.invalidate();
   }
 
   /** With what never changes of its scanner, and when it came, in Unix time. */
@@ -75,7 +87,7 @@ export class Scans extends EventTarget {
   take(scan) {
     this.unacknowledged.push(scan.frame);
     this.counts.set(scan.sensor, (this.counts.get(scan.sensor) || 0) + 1);
-    if (this.layers.has(scan.sensor)) {
+    if (this.layers.has(scan.sensor) && !this.isHeld) {
       this.latest.set(scan.sensor, scan);
       this.dispatchEvent(new CustomEvent('scan', {detail: scan}));
     }
