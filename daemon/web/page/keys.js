@@ -24,7 +24,7 @@ export class Keys {
   }
 
   makeTable() {
-    const {settings, viewpoint, selection, views, edits, undo, addDialog, past} = this;
+    const {settings, viewpoint, selection, views, edits, undo, addDialog, past, tape} = this;
     const orbit = (around, up) => () => viewpoint.orbit(around * ORBIT_RAD, up * ORBIT_RAD);
     const pan = (right, up) => () => viewpoint.pan(right * PAN_PX, up * PAN_PX);
     const toggle = (name) => () => settings.toggle(name);
@@ -64,10 +64,11 @@ export class Keys {
       {key: 'delete', act: () => edits.remove(selection.thing), shown: 'Delete', help: 'delete the selected model'},
       {key: 'ctrl+z', act: () => undo.undo(), shown: 'Ctrl+Z', help: 'undo'},
       {key: 'i', act: toggle('inspect'), shown: 'I', help: 'inspect what the pointer is on'},
+      {key: 'u', act: () => tape.toggle(), shown: 'U', help: 'measure from one place to another'},
       {key: 'k', act: () => past.toggle(), shown: 'K', help: 'stand still, or go on'},
       {key: ',', act: () => past.step(-1), shown: ', .', help: 'one scan back, one on, of the last minute'},
       {key: '.', act: () => past.step(1)},
-      {key: 'escape', act: () => this.release(), shown: 'Esc', help: 'select and inspect nothing'},
+      {key: 'escape', act: () => this.release(), shown: 'Esc', help: 'select, inspect and measure nothing'},
       ...this.panelKeys(),
       {key: 'shift+?', act: () => this.help(), shown: '?', help: 'these keys'},
       {key: '?', act: () => this.help()},
@@ -77,6 +78,7 @@ export class Keys {
   release() {
     this.selection.select(null);
     this.inspection.pin(null);
+    this.tape.set(false);
   }
 
   panelKeys() {

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What the pointer is on: the point or ray that is drawn closest to it, or else the face of an object.
-import {Matrix4, Raycaster, Vector2, Vector3, Vector4} from './three.module.js';
+import {Matrix4, Plane, Raycaster, Vector2, Vector3, Vector4} from './three.module.js';
 import {sentRange, shapeOf} from './scan_shape.js';
 
 const POINT_PX = 9;
@@ -26,6 +26,27 @@ export class Pointed {
     const face = this.faceAt(event);
     const pointer = this.pixelOf(event);
     return this.pointAt(pointer, face) || this.rayAt(pointer) || (face?.object ? face : null);
+  }
+
+  /** The place in W that the pointer is on: of a point that was sent, of a face, or of the ground; or null. */
+  placeAt(event) {
+    const face = this.faceAt(event);
+    const point = this.pointAt(this.pixelOf(event), face);
+    if (point) {
+      const scan = this.scans.scanOf(point.sensor);
+      return this.placeAlong(scan, point.i, sentRange(scan, point.i));
+    }
+    return face ? face.place : this.groundAt(event);
+  }
+
+  groundAt(event) {
+    this.aim(event);
+    return this.caster.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), 0), new Vector3());
+  }
+
+  aim(event) {
+    const {x, y} = this.stage.place(event);
+    this.caster.setFromCamera(new Vector2(x, y), this.stage.camera);
   }
 
   pixelOf(event) {
@@ -131,8 +152,7 @@ export class Pointed {
   /** {kind: 'face', object, place} of what stands in front; without an object, a robot's mark. */
   faceAt(event) {
     if (this.world.triangles > MOST_TRIANGLES) return null;
-    const {x, y} = this.stage.place(event);
-    this.caster.setFromCamera(new Vector2(x, y), this.stage.camera);
+    this.aim(event);
     const cut_m = this.settings.get('cut_m') || Infinity;
     const marks = [...this.robots.marks.values()].filter((mark) => mark.visible);
     const hits = [
