@@ -108,7 +108,7 @@ test('watches steps over time', async ({page, start}) => {
   await expect(page.locator('#watched li')).toHaveCount(2);
   const count = async () => Number((await page.locator('#watched li').first().textContent()).match(/(\d+) scans/)[1]);
   await expect.poll(count).toBeGreaterThan(20);
-  await page.locator('#canvas').press('k');
+  await page.locator('#canvas').press('h');
   await expect(page.locator('#timeline')).toBeVisible();
   const told = await page.locator('#watched li').allTextContents();
   await page.getByRole('tab', {name: 'Share'}).click();
@@ -137,7 +137,7 @@ test('stands still, looks back, and goes on', async ({page, start}) => {
     await expect(True).toContainText(`${(3 - x).toFixed(3)} m`);
     await page.waitForTimeout(700);
   }
-  await page.locator('#canvas').press('k');
+  await page.locator('#canvas').press('h');
   await expect(page.locator('#timeline-time')).toHaveText('0.00 s');
   await daemon.put('/robots/robot/pose', {xyz: [-2, 0, 0]});
   await page.waitForTimeout(300);

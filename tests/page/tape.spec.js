@@ -64,7 +64,7 @@ test('takes to the points of a scan', async ({page, start}) => {
     const angle = (step - FRONT) * 2 * Math.PI / 1440;
     return [truth[step] * Math.cos(angle), truth[step] * Math.sin(angle), z];
   };
-  await page.locator('#canvas').press('u');
+  await page.locator('#canvas').press('y');
   const ends = [FRONT - 20, FRONT + 20];
   for (const step of ends) {
     // Some pixels beside it.

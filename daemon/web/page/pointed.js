@@ -107,8 +107,8 @@ export class Pointed {
   }
 
   isBehind(place, {place: front}) {
-    const {position} = this.stage.camera;
-    return position.distanceTo(place) > position.distanceTo(front) + BEHIND_M;
+    const depth_m = (there) => -there.clone().applyMatrix4(this.stage.camera.matrixWorldInverse).z;
+    return depth_m(place) > depth_m(front) + BEHIND_M;
   }
 
   /** project(shape, i, range_m): as project(), but for very many. */

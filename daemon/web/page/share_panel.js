@@ -6,12 +6,14 @@ import {boundSelect, byId, make, tell} from './elements.js';
 import {CHOICES} from './settings.js';
 import {FILES} from './scan_files.js';
 import {missedBetween} from './recorder.js';
+import {viewPicture} from './view_picture.js';
 
 const BETWEEN_MS = 1000;
 
 export class SharePanel {
-  constructor({stage, recorder, settings, notices, link}) {
-    Object.assign(this, {stage, recorder, settings, notices, link});
+  constructor(page) {
+    const {recorder, settings, notices, link} = page;
+    Object.assign(this, {page, recorder, settings, notices, link});
     byId('save-picture').addEventListener('click', () => this.savePicture());
     byId('copy-link').addEventListener('click', () => this.copyLink());
     byId('keep').append(boundSelect(settings, 'keep_s', 'Of the last',
@@ -38,7 +40,7 @@ export class SharePanel {
   }
 
   async savePicture() {
-    download(await this.stage.picture(), `scipd-${stamp()}.png`);
+    download(await viewPicture(this.page), `scipd-${stamp()}.png`);
   }
 
   saveScans(ending) {
