@@ -30,6 +30,7 @@ struct SensorReport {
     std::optional<std::string> tcp;       ///< "127.0.0.1:10940", the port that was really taken
     std::optional<std::string> pty;       ///< the link
     std::optional<ReadingErrors> errors;  ///< nothing: a camera or ranger
+    std::uint64_t seed = 0;               ///< of all that it does by chance
     std::uint64_t clients = 0;            ///< connected now
     std::vector<std::string> faults;      ///< kinds of those that act now
     SensorCounts counts;

@@ -70,6 +70,7 @@ Json to_json(const SensorReport& sensor) {
     told["backend"] = sensor.backend;
     told["backend_reason"] = or_null(sensor.backend_reason);
     told["errors"] = sensor.errors ? errors_document(*sensor.errors) : Json();
+    told["seed"] = std::to_string(sensor.seed);
     told["state"] = sensor.state;
     told["warning"] = or_null(sensor.warning);
     told["tcp"] = or_null(sensor.tcp);

@@ -69,6 +69,7 @@ SensorReport report_of(const Station& station, const Simulation& simulation) {
         .backend = choice.backend,
         .backend_reason = choice.reason.empty() ? std::optional<std::string>() : choice.reason,
         .warning = simulation.place_watch.warning(name),
+        .seed = station.seed,
         .counts = counts_of(station),
         .stream_lost = station.loop->missed_by_watchers() + station.tap->lost()};
     std::visit(

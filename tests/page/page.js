@@ -2,8 +2,9 @@
 // Copyright The scipd authors
 //
 // What tests share: a page that must not complain, and daemons that end with the test.
+import {writeFileSync} from 'node:fs';
 import {test as base, expect} from '@playwright/test';
-import {Daemon} from './daemon.js';
+import {Daemon, scene} from './daemon.js';
 
 export {expect};
 
@@ -50,4 +51,14 @@ export const SENSOR = 'robot/scanner';
 export async function near(read, wanted, tolerance) {
   await expect.poll(async () => Math.abs(await read() - wanted), {timeout: 30_000})
     .toBeLessThan(tolerance);
+}
+
+/** Options of a scipd with these sensors of one robot. */
+export function configuration(info, world, sensors) {
+  const file = info.outputPath('config.yaml');
+  writeFileSync(file, `scene: ${scene(world)}
+http: {listen: "127.0.0.1:0"}
+robots: {robot: {sensors: ${JSON.stringify(sensors)}}}
+`);
+  return ['--config', file];
 }

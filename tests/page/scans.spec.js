@@ -2,20 +2,9 @@
 // Copyright The scipd authors
 //
 // Scans of sensors that are more than a sweep of single ranges: several echoes, and pictures of cameras.
-import {writeFileSync} from 'node:fs';
-import {expect, open, test, withScan} from './page.js';
+import {configuration, expect, open, test, withScan} from './page.js';
 import {hash, lookFrom} from './eye.js';
 import {readPng} from './png.js';
-import {scene} from './daemon.js';
-
-function configuration(info, world, sensors) {
-  const file = info.outputPath('config.yaml');
-  writeFileSync(file, `scene: ${scene(world)}
-http: {listen: "127.0.0.1:0"}
-robots: {robot: {sensors: ${JSON.stringify(sensors)}}}
-`);
-  return ['--config', file];
-}
 
 test('draws the second and third echoes', async ({page, start}, info) => {
   const daemon = await start(configuration(info, 'materials.sdf', {multi: {

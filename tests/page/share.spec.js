@@ -26,17 +26,41 @@ async function shared(page, daemon) {
   return {sent, intensity};
 }
 
-test('a picture of the view is a PNG of it', async ({page, start}) => {
-  const daemon = await start(ROOM);
+test('a picture of the view tells what it shows', async ({page, start}) => {
+  await page.addInitScript(() => {
+    window.written = [];
+    const write = CanvasRenderingContext2D.prototype.fillText;
+    CanvasRenderingContext2D.prototype.fillText = function fillText(text, ...place) {
+      window.written.push(text);
+      write.call(this, text, ...place);
+    };
+  });
+  const daemon = await start([...ROOM, '--seed', '18446744073709551615']);
   await shared(page, daemon);
   const {name, bytes} = await save(page, 'Save the view as PNG');
   expect(name).toMatch(/^scipd-.*\.png$/);
   const picture = readPng(bytes);
   const box = await page.locator('#canvas').boundingBox();
-  expect([picture.width, picture.height]).toEqual([Math.round(box.width), Math.round(box.height)]);
-  const colours = new Set();
-  for (let x = 0; x < picture.width; x += 5) colours.add(picture.at(x, picture.height >> 1).join());
-  expect(colours.size).toBeGreaterThan(20);
+  expect(picture.width).toBe(Math.round(box.width));
+  const below = picture.height - Math.round(box.height);
+  expect(below).toBeGreaterThan(80);
+  expect(below).toBeLessThan(200);
+  const coloursAt = (y) => {
+    const colours = new Set();
+    for (let x = 0; x < picture.width; x += 5) colours.add(picture.at(x, y).join());
+    return colours.size;
+  };
+  expect(coloursAt(Math.round(box.height / 2))).toBeGreaterThan(20);
+  // The bar of the legend, somewhere below the view.
+  const rows = Array.from({length: below}, (_, k) => coloursAt(picture.height - 1 - k));
+  expect(Math.max(...rows)).toBeGreaterThan(20);
+
+  const written = (await page.evaluate(() => window.written)).join('\n');
+  const [low, high] = await page.locator('#legend .ends span').allTextContents();
+  for (const part of ['square_room.sdf', `${SENSOR}: UST-10LX, accuracy ideal, seed 18446744073709551615, scan `,
+    'Points: Range', low, high, 'in the middle of the view']) expect(written).toContain(part);
+  expect(written).toMatch(/\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\.\d UTC/);
+  expect(written).toMatch(/scan \d+ at [\d.]+ s/);
 });
 
 test('scans are saved as CSV, JSON lines and UBH', async ({page, start}) => {

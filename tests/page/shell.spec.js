@@ -8,7 +8,7 @@ import {fleet} from './rigs.js';
 import {scene} from './daemon.js';
 
 const ROOM = ['--scene', scene('square_room.sdf')];
-const PANELS = ['Sensors', 'Wire', 'Faults', 'World', 'Share'];
+const PANELS = ['Sensors', 'Inspect', 'Wire', 'Faults', 'World', 'Share'];
 
 /** Contrast as WCAG has it, of each text that is seen with what lies under it. */
 function poorContrasts() {
@@ -144,8 +144,8 @@ test('the keyboard reaches all, and what it is on is seen', async ({page, start}
   }
   await page.locator('#tab-sensors').focus();
   await page.keyboard.press('ArrowRight');
-  await expect(page.getByRole('tab', {name: 'Wire'})).toBeFocused();
-  await expect(page.locator('#panel-wire')).toBeVisible();
+  await expect(page.getByRole('tab', {name: 'Inspect'})).toBeFocused();
+  await expect(page.locator('#panel-inspect')).toBeVisible();
   await page.locator('#canvas').press('?');
   await expect(page.locator('#help-dialog')).toBeVisible();
   await page.keyboard.press('Escape');

@@ -24,7 +24,7 @@ export class Keys {
   }
 
   makeTable() {
-    const {settings, viewpoint, selection, views, edits, undo, addDialog} = this;
+    const {settings, viewpoint, selection, views, edits, undo, addDialog, past, tape} = this;
     const orbit = (around, up) => () => viewpoint.orbit(around * ORBIT_RAD, up * ORBIT_RAD);
     const pan = (right, up) => () => viewpoint.pan(right * PAN_PX, up * PAN_PX);
     const toggle = (name) => () => settings.toggle(name);
@@ -64,11 +64,22 @@ export class Keys {
       {key: 'm', act: () => addDialog.choose(), shown: 'M', help: 'add a mesh from a file'},
       {key: 'delete', act: () => edits.remove(selection.thing), shown: 'Delete', help: 'delete the selected model'},
       {key: 'ctrl+z', act: () => undo.undo(), shown: 'Ctrl+Z', help: 'undo'},
-      {key: 'escape', act: () => selection.select(null), shown: 'Esc', help: 'select nothing'},
+      {key: 'i', act: toggle('inspect'), shown: 'I', help: 'inspect what the pointer is on'},
+      {key: 'y', act: () => tape.toggle(), shown: 'Y', help: 'measure from one place to another'},
+      {key: 'h', act: () => past.toggle(), shown: 'H', help: 'stand still, or go on'},
+      {key: ',', act: () => past.step(-1), shown: ', .', help: 'one scan back, one on, of the last minute'},
+      {key: '.', act: () => past.step(1)},
+      {key: 'escape', act: () => this.release(), shown: 'Esc', help: 'select, inspect and measure nothing'},
       ...this.panelKeys(),
       {key: 'shift+?', act: () => this.help(), shown: '?', help: 'these keys'},
       {key: '?', act: () => this.help()},
     ];
+  }
+
+  release() {
+    this.selection.select(null);
+    this.inspection.pin(null);
+    this.tape.set(false);
   }
 
   panelKeys() {

@@ -1,36 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The scans of the last seconds that this page got, of each sensor that is shown.
+// The scans of the last minute that this page got, of each sensor that is shown.
 
+export const KEPT_S = 60;
 const MOST_BYTES = 200e6;
 
 export class Recorder {
-  constructor(scans, settings) {
-    this.settings = settings;
+  constructor(scans) {
     this.kept = new Map();
     this.bytes = 0;
-    scans.addEventListener('scan', (event) => this.take(event.detail, Date.now() / 1000));
+    scans.addEventListener('scan', (event) => this.take(event.detail));
     scans.addEventListener('shown', () => this.forgetAllBut(scans.shown));
   }
 
-  take(scan, host_time_s) {
-    if (scan.kind !== 'scan') return;
+  take(scan) {
     if (!this.kept.has(scan.sensor)) this.kept.set(scan.sensor, []);
     const scans = this.kept.get(scan.sensor);
-    scans.push({scan, host_time_s});
+    scans.push(scan);
     this.bytes += sizeOf(scan);
-    const oldest_s = host_time_s - this.settings.get('keep_s');
-    while (scans.length && scans[0].host_time_s < oldest_s) this.dropFirst(scans);
-    while (this.bytes > MOST_BYTES) this.dropFirst(this.longest());
+    while (scans.length && scans[0].got_s < scan.got_s - KEPT_S) this.dropFirst(scans);
+    while (this.bytes > MOST_BYTES) this.dropFirst(this.oldest());
   }
 
   dropFirst(scans) {
-    this.bytes -= sizeOf(scans.shift().scan);
+    this.bytes -= sizeOf(scans.shift());
   }
 
-  longest() {
-    return [...this.kept.values()].reduce((most, each) => each.length > most.length ? each : most);
+  oldest() {
+    const some = [...this.kept.values()].filter((scans) => scans.length);
+    return some.reduce((first, each) => each[0].got_s < first[0].got_s ? each : first);
   }
 
   forgetAllBut(sensors) {
@@ -41,19 +40,52 @@ export class Recorder {
     }
   }
 
+  get sensors() {
+    return [...this.kept.keys()];
+  }
+
+  /** All that are kept, the oldest first. */
   of(sensor) {
     return this.kept.get(sensor) || [];
   }
 
-  /** {scans, missed}: how many of the scanner's scans this page did not get in the meantime. */
-  countsOf(sensor) {
+  /** Those of a scanner's last seconds. */
+  lastOf(sensor, last_s) {
     const scans = this.of(sensor);
-    if (!scans.length) return {scans: 0, missed: 0};
-    const span = scans[scans.length - 1].scan.scan - scans[0].scan.scan + 1;
-    return {scans: scans.length, missed: Math.max(span - scans.length, 0)};
+    const newest_s = scans[scans.length - 1]?.got_s;
+    return scans.filter(({kind, got_s}) => kind === 'scan' && got_s >= newest_s - last_s);
   }
+
+  /** The last one that was there at a time, or the first of all. */
+  at(sensor, time_s) {
+    const scans = this.of(sensor);
+    return scans[Math.max(after(scans, time_s) - 1, 0)] || null;
+  }
+
+  /** The one so many after the one that was there at a time. */
+  beside(sensor, time_s, by) {
+    const scans = this.of(sensor);
+    return scans[Math.min(Math.max(after(scans, time_s) - 1 + by, 0), scans.length - 1)] || null;
+  }
+}
+
+/** How many came no later than a time. */
+function after(scans, time_s) {
+  let [low, high] = [0, scans.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (scans[middle].got_s <= time_s) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 function sizeOf(scan) {
   return Object.values(scan.arrays).reduce((sum, array) => sum + array.byteLength, 0);
+}
+
+/** How many scans lie between these that the page did not get. */
+export function missedBetween(scans) {
+  if (!scans.length) return 0;
+  return Math.max(scans[scans.length - 1].scan - scans[0].scan + 1 - scans.length, 0);
 }

@@ -23,6 +23,8 @@ export class Robots extends EventTarget {
     this.poses = {robots: new Map(), models: new Map()};
     this.marks = new Map();
     this.held = null;
+    this.isFrozen = false;
+    this.missed = new Map();
     this.time_s = 0;
     this.owed = false;
     this.isStale = false;
@@ -59,7 +61,25 @@ export class Robots extends EventTarget {
 
   set(kind, name, pose) {
     if (this.held?.kind === kind && this.held.name === name) return;
-    this.place(kind, name, pose);
+    if (this.isFrozen) this.missed.set(`${kind}:${name}`, [kind, name, pose]);
+    else this.place(kind, name, pose);
+  }
+
+  /** While the page stands still, what the daemon says waits. */
+  freeze(on) {
+    if (this.isFrozen === on) return;
+    if (on) this.rememberAll();
+    this.isFrozen = on;
+    if (on) return;
+    for (const late of this.missed.values()) this.place(...late);
+    this.missed.clear();
+  }
+
+  /** Those that do not move meanwhile come back as well. */
+  rememberAll() {
+    for (const [kind, poses] of Object.entries(this.poses)) {
+      for (const [name, pose] of poses) this.missed.set(`${kind}:${name}`, [kind, name, pose]);
+    }
   }
 
   /** Shows it there at once; what the daemon says comes after. */

@@ -42,7 +42,7 @@ function blocksOf(scan) {
 }
 
 export function asCsv(recorded) {
-  const {scan} = recorded[0];
+  const [scan] = recorded;
   const blocks = blocksOf(scan);
   const columns = blocks.flatMap(({name}) => steps(scan, (_, step) => name + step));
   const head = [
@@ -55,18 +55,18 @@ export function asCsv(recorded) {
       'counter-clockwise from forward.',
     `# ${['host_time_s', 'stamp_ms', ...columns].join()}`,
   ];
-  const rows = recorded.map(({scan: one, host_time_s}) => [
-    host_time_s.toFixed(6), one.stamp_ms,
+  const rows = recorded.map((one) => [
+    one.got_s.toFixed(6), one.stamp_ms,
     ...blocks.flatMap(({value}) => steps(one, (i) => value(one, i))),
   ].join());
   return [...head, ...rows, ''].join('\n');
 }
 
 export function asJsonLines(recorded) {
-  return recorded.map(({scan, host_time_s}) => {
+  return recorded.map((scan) => {
     const step_rad = 2 * Math.PI / scan.steps_per_turn;
     const object = {
-      host_time_s,
+      host_time_s: scan.got_s,
       stamp_ms: scan.stamp_ms,
       model: scan.model,
       serial: scan.serial,
@@ -86,7 +86,7 @@ export function asJsonLines(recorded) {
 
 /** The text format of UrgBenri: each key and each value has a line of its own. */
 export function asUbh(recorded) {
-  const {scan} = recorded[0];
+  const [scan] = recorded;
   const several = Boolean(scan.arrays.echo_end);
   const withIntensity = scan.arrays.intensity.length > 0;
   const mode = (several ? 'N' : 'M') + (withIntensity ? 'E' : 'D');
@@ -100,11 +100,11 @@ export function asUbh(recorded) {
   };
   const lines = Object.entries(head).flatMap(([key, value]) => [`[${key}]`, value]);
   const echo = ([mm, intensity]) => withIntensity ? `${mm}|${intensity}` : `${mm}`;
-  for (const {scan: one, host_time_s} of recorded) {
+  for (const one of recorded) {
     const values = steps(one, (i) => several
       ? echoesOf(one, i).map(echo).join('&')
       : echo([one.arrays.sent_mm[i], one.arrays.intensity[i]]));
-    lines.push('[timestamp]', one.stamp_ms, '[logtime]', logTime(host_time_s), '[scan]',
+    lines.push('[timestamp]', one.stamp_ms, '[logtime]', logTime(one.got_s), '[scan]',
       values.join(';'));
   }
   return `${lines.join('\n')}\n`;

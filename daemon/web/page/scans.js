@@ -31,6 +31,7 @@ export class Scans extends EventTarget {
       colourOfSensor: (sensor) => this.colourOf(sensor),
       materialLooks: new MaterialLooks(),
     };
+    this.isHeld = false;
     connection.addEventListener('open', () => this.subscribe());
     connection.addEventListener('binary', (event) => this.take(this.known(readScan(event.detail))));
     stage.beforeEach(() => this.draw());
@@ -105,19 +106,30 @@ export class Scans extends EventTarget {
 
   subscribe() {
     const scans = {};
-    for (const sensor of this.layers.keys()) scans[sensor] = {true: true};
+    for (const sensor of this.isHeld ? [] : this.layers.keys()) scans[sensor] = {true: true};
     this.connection.send({scans});
   }
 
-  /** With what never changes of its scanner. */
+  /** From now on scans come only from drawPast(). */
+  hold(on) {
+    this.isHeld = on;
+    this.subscribe();
+  }
+
+  drawPast(scan) {
+    if (this.layers.has(scan.sensor)) this.latest.set(scan.sensor, scan);
+    this.stage.invalidate();
+  }
+
+  /** With what never changes of its scanner, and when it came, in Unix time. */
   known(scan) {
-    return {...this.status.sensor(scan.sensor)?.identity, ...scan};
+    return {...this.status.sensor(scan.sensor)?.identity, ...scan, got_s: Date.now() / 1000};
   }
 
   take(scan) {
     this.unacknowledged.push(scan.frame);
     this.counts.set(scan.sensor, (this.counts.get(scan.sensor) || 0) + 1);
-    if (this.layers.has(scan.sensor)) {
+    if (this.layers.has(scan.sensor) && !this.isHeld) {
       this.latest.set(scan.sensor, scan);
       this.dispatchEvent(new CustomEvent('scan', {detail: scan}));
     }

@@ -13,6 +13,7 @@ export const DEFAULTS = {
   points: true,
   echoes: true,
   truth: false,
+  inspect: true,
   through: true,
   trail_s: 0,
   colours: 'material',

@@ -5,15 +5,18 @@
 import {boundSelect, byId, make, tell} from './elements.js';
 import {CHOICES} from './settings.js';
 import {FILES} from './scan_files.js';
+import {missedBetween} from './recorder.js';
+import {viewPicture} from './view_picture.js';
 
 const BETWEEN_MS = 1000;
 
 export class SharePanel {
-  constructor({stage, recorder, settings, notices, link}) {
-    Object.assign(this, {stage, recorder, settings, notices, link});
+  constructor(page) {
+    const {recorder, settings, notices, link} = page;
+    Object.assign(this, {page, recorder, settings, notices, link});
     byId('save-picture').addEventListener('click', () => this.savePicture());
     byId('copy-link').addEventListener('click', () => this.copyLink());
-    byId('keep').append(boundSelect(settings, 'keep_s', 'Keep the last',
+    byId('keep').append(boundSelect(settings, 'keep_s', 'Of the last',
       CHOICES.keep_s.map((each) => [each, `${each} s`])));
     byId('save-scans').append(...Object.entries(FILES).map(([ending, {label}]) =>
       make('button', {id: `save-${ending}`, on: {click: () => this.saveScans(ending)}}, label)));
@@ -24,19 +27,24 @@ export class SharePanel {
   update() {
     if (this.settings.get('panel') !== 'share') return;
     const sensor = this.settings.get('sensor');
-    const {scans, missed} = this.recorder.countsOf(sensor);
-    tell(byId('kept'), scans
-      ? `${scans} scans of ${sensor} are here` + (missed
+    const scans = this.scansToSave;
+    const missed = missedBetween(scans);
+    tell(byId('kept'), scans.length
+      ? `${scans.length} scans of ${sensor} are here` + (missed
         ? `. This page was too slow for ${missed} others; scipcat record misses none.` : '.')
       : `No scans of ${sensor || 'any sensor'} are here. Tick a scanner in the panel Sensors.`);
   }
 
+  get scansToSave() {
+    return this.recorder.lastOf(this.settings.get('sensor'), this.settings.get('keep_s'));
+  }
+
   async savePicture() {
-    download(await this.stage.picture(), `scipd-${stamp()}.png`);
+    download(await viewPicture(this.page), `scipd-${stamp()}.png`);
   }
 
   saveScans(ending) {
-    const recorded = this.recorder.of(this.settings.get('sensor'));
+    const recorded = this.scansToSave;
     if (!recorded.length) {
       this.notices.trouble('There are no scans yet. Tick a scanner in the panel Sensors.');
       return;

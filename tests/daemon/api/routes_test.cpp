@@ -122,6 +122,7 @@ RigReport busy_report() {
     front.backend = "embree";
     front.backend_reason = "embree takes 0.030 ms, depth takes 0.600 ms";
     front.errors = ReadingErrors{.noise = 2.0, .own_bias = true, .bias = {{1.0, 0.01}}};
+    front.seed = 18446744073709551615U;
     front.state = "measuring";
     front.tcp = "127.0.0.1:10940";
     front.clients = 1;
@@ -159,7 +160,7 @@ constexpr const char* front_text =
     R"({"name":"rescue/front","model":"UST-10LX","backend":"embree",)"
     R"("backend_reason":"embree takes 0.030 ms, depth takes 0.600 ms",)"
     R"("errors":{"accuracy":"sensor","noise":2.0,"bias":[{"range_m":1.0,"bias_m":0.01}],)"
-    R"("interference":false},)"
+    R"("interference":false},"seed":"18446744073709551615",)"
     R"("state":"measuring","warning":null,)"
     R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,"faults":["cut","sums"],"scans":4000,)"
     R"("casts":{"depth":2,"embree":4001},"lost":2,"stream_lost":3,)"
@@ -168,7 +169,7 @@ constexpr const char* front_text =
     R"(8.192,16.384,32.768,65.536,131.072],"counts":[0,7,0,3,0,0,0,0,0,0,0,0,0,0,1]}})";
 constexpr const char* rear_text =
     R"({"name":"rescue/rear","model":"URG-04LX","backend":"reference","backend_reason":null,)"
-    R"("errors":null,)"
+    R"("errors":null,"seed":"0",)"
     R"("state":"idle","warning":"is inside model hull",)"
     R"("tcp":null,"pty":"/run/scipd/rear","clients":0,"faults":[],"scans":0,)"
     R"("casts":{},"lost":0,"stream_lost":0,)"

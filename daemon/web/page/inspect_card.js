@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A card beside what one looks at closely, with all that is known of it, and a mark on it.
+import {Vector3} from './three.module.js';
+import {LineMarks, PointMarks} from './marks.js';
+import {Pace} from './pace.js';
+import {byId, make, tell} from './elements.js';
+import {factsOf, metres, nameOfBeam} from './beam_words.js';
+import {sentRange} from './scan_shape.js';
+
+export const CURSOR_COLOUR = [0.80, 0.08, 0.62];
+const BETWEEN_MS = 100;
+const AWAY_PX = 16;
+const MARGIN_PX = 6;
+
+export class InspectCard {
+  constructor({stage, scans, settings, world, inspection, pointed, past}) {
+    Object.assign(this, {stage, scans, settings, world, inspection, pointed, past});
+    this.card = byId('reading');
+    this.pace = new Pace(BETWEEN_MS, () => this.tellFacts());
+    this.point = new PointMarks(10, {rim_px: 3, order: 6});
+    this.ray = new LineMarks();
+    this.point.reserve(1);
+    this.ray.reserve(2);
+    stage.scene.add(this.ray.group, this.point.group);
+    byId('reading-close').addEventListener('click', () => inspection.pin(null));
+    inspection.addEventListener('changed', () => {
+      this.pace.now();
+      stage.invalidate();
+    });
+    past.addEventListener('changed', () => this.pace.ask());
+    stage.beforeEach(() => this.mark());
+    stage.afterEach(() => this.update());
+  }
+
+  /** {scan, i} of the beam that is read, if its sensor still has one. */
+  get beam() {
+    const {target} = this.inspection;
+    const scan = target?.kind === 'beam' ? this.scans.scanOf(target.sensor) : null;
+    return scan && target.i < scan.beams ? {scan, i: target.i} : null;
+  }
+
+  /** Where in W the card belongs, or null. */
+  anchor() {
+    const {target} = this.inspection;
+    if (target?.kind === 'face') return target.place;
+    return this.beam && this.pointed.placeAlong(this.beam.scan, this.beam.i, this.reach_m());
+  }
+
+  /** To the point that was sent, or to where the beam really ended. */
+  reach_m() {
+    const {scan, i} = this.beam;
+    const sent_m = sentRange(scan, i);
+    return sent_m > 0 ? sent_m : this.pointed.reachOf(scan, i);
+  }
+
+  mark() {
+    const place = this.anchor();
+    this.point.show(place ? 1 : 0);
+    this.ray.show(this.beam ? 2 : 0);
+    if (!place) return;
+    this.point.put(0, place.x, place.y, place.z);
+    this.point.tint(0, CURSOR_COLOUR, 1);
+    if (!this.beam) return;
+    const {scan, i} = this.beam;
+    [0, this.reach_m()].forEach((range_m, k) => {
+      this.ray.putAlong(k, this.pointed.shapeOf(scan), i, range_m);
+      this.ray.tint(k, CURSOR_COLOUR, 1);
+    });
+  }
+
+  update() {
+    const place = this.anchor();
+    const at = place && this.pointed.project(place);
+    this.card.hidden = !at;
+    if (!at) return;
+    byId('reading-close').hidden = this.inspection.target !== this.inspection.pinned;
+    this.pace.ask();
+    this.moveTo(at);
+  }
+
+  tellFacts() {
+    const {target} = this.inspection;
+    if (this.beam) {
+      const {scan, i} = this.beam;
+      tell(byId('reading-name'), `${scan.sensor}, ${nameOfBeam(scan, i)}`);
+      this.list(factsOf(scan, i, (id) => this.world.nameOf(id), this.past.looksAt_s - scan.got_s));
+    } else if (target?.kind === 'face') {
+      tell(byId('reading-name'), target.object.name);
+      this.list(this.factsOfFace(target));
+    }
+  }
+
+  factsOfFace({object, place}) {
+    const scan = this.scans.scanOf(this.settings.get('sensor'));
+    const sensor = scan && new Vector3(...scan.pose.xyz);
+    return [
+      ['Material', object.material],
+      ...(object.model ? [['Model', object.model]] : []),
+      ...(object.robot ? [['Robot', object.robot]] : []),
+      ['Place', place.toArray().map((value) => value.toFixed(3)).join(', ') + ' m'],
+      ...(sensor ? [['Away', `${metres(sensor.distanceTo(place))} from ${scan.sensor}`]] : []),
+    ];
+  }
+
+  list(facts) {
+    const labels = facts.map(([label]) => label).join();
+    const list = byId('reading-facts');
+    if (labels !== this.labels) {
+      this.labels = labels;
+      list.replaceChildren(...facts.map(([label]) => make('div', {}, make('dt', {}, label), make('dd'))));
+    }
+    facts.forEach(([, text], k) => tell(list.children[k].lastChild, text));
+  }
+
+  /** Beside the place, on the side that has room. */
+  moveTo({x, y}) {
+    const {clientWidth: width, clientHeight: height} = this.stage.canvas;
+    const {offsetWidth, offsetHeight} = this.card;
+    const left = x + AWAY_PX + offsetWidth < width ? x + AWAY_PX : x - AWAY_PX - offsetWidth;
+    const top = Math.min(y + AWAY_PX, height - offsetHeight - MARGIN_PX);
+    this.card.style.left = `${Math.max(Math.min(left, width - offsetWidth - MARGIN_PX), MARGIN_PX)}px`;
+    this.card.style.top = `${Math.max(top, MARGIN_PX)}px`;
+  }
+}
