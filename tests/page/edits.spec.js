@@ -60,7 +60,9 @@ test('a model of the world that was deleted comes back as it was', async ({page,
   const before = await scan();
   await open(page, daemon, hash(EYE, AT, {select: `models:${movable.model}`}));
   await expect(page.locator('#selected-name')).toHaveText(movable.model);
+  await page.getByRole('button', {name: 'Unlock', exact: true}).click();
   await page.locator('#canvas').press('Delete');
+  await page.getByRole('button', {name: 'Delete it'}).click();
   await expect.poll(async () => (await objects()).some(({model}) => model === movable.model)).toBe(false);
   const without = await scan();
   expect(without.filter((mm, i) => Math.abs(mm - before[i]) > 5).length).toBeGreaterThan(5);
@@ -87,6 +89,7 @@ test('a model of several materials that was made of one gets them back', async (
   expect(new Set(before).size).toBe(2);
   await open(page, daemon, hash(EYE, AT, {select: 'models:pair'}));
   await expect(page.locator('#selected-material')).toHaveValue('');
+  await page.getByRole('button', {name: 'Unlock', exact: true}).click();
   await page.locator('#selected-material').selectOption('metal');
   await expect.poll(materials).toEqual(['metal', 'metal']);
   await page.locator('#canvas').press('Control+z');
@@ -119,6 +122,7 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
   const atFirst = await models();
   await open(page, daemon, hash(EYE, AT, {select: 'models:box'}));
   await expect(page.locator('#selected-name')).toHaveText('box');
+  await page.getByRole('button', {name: 'Unlock', exact: true}).click();
   await page.locator('#canvas').press('Delete');
   await expect(page.locator('#ask-dialog')).toContainText('http_body_bytes');
   await page.getByRole('button', {name: 'Keep it'}).click();
@@ -130,6 +134,34 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
   await page.locator('#canvas').press('Control+z');
   await expect(page.locator('#notices')).toContainText('nothing to undo');
 });
+
+test('a model of the world is deleted only once it is unlocked, and a large one after a question',
+  async ({page, start}) => {
+    const daemon = await start(room());
+    const models = async () => (await daemon.get('/scene')).models.map(({name}) => name);
+    const atFirst = await models();
+    await open(page, daemon, hash(EYE, AT, {select: 'models:room', panel: 'world'}));
+    await expect(page.locator('#selected-name')).toHaveText('room');
+    await page.locator('#canvas').press('Delete');
+    await expect(page.locator('#notices')).toContainText('room belongs to the world and is locked.');
+    await page.waitForTimeout(500);
+    expect(await models()).toEqual(atFirst);
+    await page.getByRole('button', {name: 'Unlock all'}).click();
+    await expect(page.getByRole('button', {name: 'Unlock all'})).toBeHidden();
+    await page.locator('#canvas').press('Delete');
+    await expect(page.locator('#ask-dialog')).toContainText('It is larger than the robot: 6.');
+    await page.getByRole('button', {name: 'Keep it'}).click();
+    expect(await models()).toEqual(atFirst);
+    await page.locator('#canvas').press('Delete');
+    await page.getByRole('button', {name: 'Delete it'}).click();
+    await expect.poll(models).not.toContain('room');
+    await page.locator('#canvas').press('Control+z');
+    await expect.poll(models).toContain('room');
+    // It was asked once.
+    await page.getByRole('button', {name: /^room/}).click();
+    await page.locator('#canvas').press('Delete');
+    await expect.poll(models).not.toContain('room');
+  });
 
 test('nothing is undone in another world', async ({page, start}) => {
   const daemon = await start(room());

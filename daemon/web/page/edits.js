@@ -3,8 +3,10 @@
 //
 // Changes of the world: a box, a mesh from a file, a model less, another material. All by the control API, and each can
 // be taken back.
+import {Vector3} from './three.module.js';
 import {ask} from './ask_dialog.js';
 import {meshFile, toBase64} from './mesh_file.js';
+import {MARK_RADIUS_M} from './robots.js';
 
 export const FORMATS = ['stl', 'obj', 'ply', 'dae', 'glb', 'gltf', 'off', '3ds'];
 const BOX_M = 0.5;
@@ -14,15 +16,17 @@ function modelPath(name, rest = '') {
 }
 
 export class Edits {
-  constructor({server, world, robots, selection, viewpoint, undo, notices}) {
-    Object.assign(this, {server, world, robots, selection, viewpoint, undo, notices});
+  constructor({server, world, robots, selection, locks, viewpoint, undo, notices}) {
+    Object.assign(this, {server, world, robots, selection, locks, viewpoint, undo, notices});
     this.added = new Map();
+    this.asked = new Set();
     world.addEventListener('loaded', () => this.forget());
   }
 
   /** Another world is there. */
   forget() {
     this.added.clear();
+    this.asked.clear();
     this.undo.forget();
   }
 
@@ -93,6 +97,7 @@ export class Edits {
     const {era} = this.undo;
     const answer = await this.server.post('/scene/models', request);
     if (era === this.undo.era) this.added.set(request.name, request);
+    this.locks.unlock([request.name]);
     for (const warning of answer.warnings || []) this.notices.tell(warning);
     // The page is told of the new scene, but whoever selects the model next wants it now.
     await this.world.load();
@@ -124,7 +129,12 @@ export class Edits {
   }
 
   async remove(thing) {
-    if (thing?.kind === 'models') await this.undo.inTurn(() => this.removeModel(thing));
+    if (thing?.kind !== 'models') return;
+    if (this.locks.isLocked(thing)) {
+      this.notices.tell(`${thing.name} belongs to the world and is locked. Unlock it in its card to delete it.`);
+      return;
+    }
+    await this.undo.inTurn(() => this.removeModel(thing));
   }
 
   async removeModel({name}) {
@@ -132,7 +142,7 @@ export class Edits {
     const recipe = this.recipe(name);
     const materials = this.materialsOf(name);
     const comesBack = sizeOf(recipe) <= this.world.limits.http_body_bytes;
-    if (!comesBack && !await this.askForGood(recipe)) return;
+    if (!await (comesBack ? this.askIfLarge(name) : this.askForGood(recipe))) return;
     try {
       await this.takeAway(name);
     } catch (error) {
@@ -149,6 +159,24 @@ export class Edits {
     return ask(`Delete ${recipe.name} for good?`,
       `It cannot be brought back: its faces take ${megabytes(sizeOf(recipe))}, and http_body_bytes under limits in ` +
       `the configuration allows ${megabytes(this.world.limits.http_body_bytes)}.`, 'Delete it');
+  }
+
+  /** Once of each model of the world that is larger than a robot. */
+  async askIfLarge(name) {
+    if (this.added.has(name) || this.asked.has(name)) return true;
+    const size = sizeAround(this.world.boxOf((object) => within(object.model, name)));
+    if (Math.max(...size) <= this.robotSize_m()) return true;
+    const goes = await ask(`Delete ${name}?`,
+      `It is larger than the robot: ${size.map((each_m) => each_m.toFixed(1)).join(' × ')} m.`, 'Delete it');
+    if (goes) this.asked.add(name);
+    return goes;
+  }
+
+  /** Of the largest one; a robot without a body is as large as its mark. */
+  robotSize_m() {
+    const bodies = [...this.robots.poses.robots.keys()].map((name) =>
+      Math.max(...sizeAround(this.world.boxOf((object) => object.robot === name))));
+    return Math.max(...bodies, 2 * MARK_RADIUS_M);
   }
 
   partsOf(name) {
@@ -184,6 +212,11 @@ export class Edits {
 /** A model, or one that lies in it. */
 function within(model, name) {
   return model === name || Boolean(model?.startsWith(`${name}::`));
+}
+
+/** Along x, y and z; of nothing, nothing. */
+function sizeAround(box) {
+  return box.isEmpty() ? [0, 0, 0] : box.getSize(new Vector3()).toArray();
 }
 
 /** Of a request, in bytes. */

@@ -3,20 +3,21 @@
 //
 // The pointer's hands: a click selects, a drag of a robot or a movable model moves it over the ground, and a drag of
 // the ring around the selected thing, or with Shift, turns it.
+import {isOnPoint} from './points_under.js';
 import {movedTo, turned} from './pose.js';
 
 const SLACK_PX = 4;
 const MOST_TO_HOVER = 200_000;
 
 export class Hands {
-  constructor({stage, viewpoint, selection, robots, mover, undo, ring}) {
-    Object.assign(this, {stage, viewpoint, selection, robots, mover, undo, ring});
+  constructor({stage, viewpoint, selection, locks, robots, mover, undo, ring}) {
+    Object.assign(this, {stage, viewpoint, selection, locks, robots, mover, undo, ring});
     this.drag = null;
     const canvas = stage.canvas;
     canvas.addEventListener('pointerdown', (event) => this.press(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
     canvas.addEventListener('pointerup', (event) => this.release(event));
-    canvas.addEventListener('pointercancel', (event) => this.release(event));
+    canvas.addEventListener('pointercancel', () => this.end());
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   }
 
@@ -29,8 +30,8 @@ export class Hands {
     const ring = this.ring.under(event);
     const under = ring ? null : this.selection.under(event);
     const thing = ring ? this.selection.thing : under?.thing;
-    this.drag = {thing, x: event.clientX, y: event.clientY, begun: false};
-    if (!thing?.movable) return;
+    this.drag = {thing, distance_m: under?.distance_m, x: event.clientX, y: event.clientY, begun: false};
+    if (!this.locks.moves(thing)) return;
     const pose = this.robots.poseOf(thing.kind, thing.name);
     if (!pose) return;
     this.viewpoint.controls.enabled = false;
@@ -75,18 +76,23 @@ export class Hands {
     }
   }
 
-  release() {
-    const drag = this.drag;
+  /** A click on a point of a scan is about the point, not about what stands behind it. */
+  release(event) {
+    const {drag} = this;
+    const isClick = drag && !drag.begun;
+    this.end();
+    if (!isClick || isOnPoint(this.stage, event, drag.distance_m)) return;
+    this.selection.select(drag.thing || null);
+  }
+
+  end() {
+    const {drag} = this;
     this.drag = null;
     this.viewpoint.controls.enabled = true;
-    if (!drag) return;
-    if (!drag.begun) {
-      this.selection.select(drag.thing || null);
-    } else if (drag.from) {
-      this.robots.release();
-      this.stage.canvas.classList.remove('holding');
-      this.undo.moved(drag.thing, drag.pose);
-    }
+    if (!drag?.begun || !drag.from) return;
+    this.robots.release();
+    this.stage.canvas.classList.remove('holding');
+    this.undo.moved(drag.thing, drag.pose);
   }
 
   /** The cursor tells what can be taken, once a picture, and not in worlds through which it takes long to look. */
@@ -102,8 +108,8 @@ export class Hands {
     const event = this.hovered;
     this.hovered = null;
     const isRing = Boolean(this.ring.under(event));
-    const movable = !isRing && this.selection.under(event)?.thing?.movable;
+    const movable = !isRing && this.locks.moves(this.selection.under(event)?.thing);
     this.stage.canvas.classList.toggle('turnable', isRing);
-    this.stage.canvas.classList.toggle('movable', Boolean(movable));
+    this.stage.canvas.classList.toggle('movable', movable);
   }
 }

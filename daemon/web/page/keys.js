@@ -50,7 +50,7 @@ export class Keys {
       {key: 'shift++', act: () => viewpoint.zoom(0.87)},
       {key: '-', act: () => viewpoint.zoom(1.15)},
       {key: 'f', act: views.all, shown: 'F', help: 'see all of the world'},
-      {key: 't', act: views.top, shown: 'T', help: 'see it from above'},
+      {key: 't', act: views.top, shown: 'T', help: 'see it straight down, as on a plan, and back'},
       {key: 'l', act: views.follow, shown: 'L', help: 'follow the selected thing, or the first robot'},
       {key: 'r', act: toggle('rays'), shown: 'R', help: 'rays'},
       {key: 'p', act: toggle('points'), shown: 'P', help: 'points'},

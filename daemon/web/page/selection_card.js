@@ -9,8 +9,8 @@ import {yawOf} from './pose.js';
 const FIELDS = ['x', 'y', 'z', 'yaw'];
 
 export class SelectionCard {
-  constructor({selection, robots, world, mover, undo, edits, viewpoint, notices}) {
-    Object.assign(this, {selection, robots, world, mover, undo, edits, viewpoint, notices});
+  constructor({selection, locks, robots, world, mover, undo, edits, viewpoint, notices}) {
+    Object.assign(this, {selection, locks, robots, world, mover, undo, edits, viewpoint, notices});
     this.inputs = Object.fromEntries(FIELDS.map((name) => [name, byId(`pose-${name}`)]));
     this.typed = null;
     for (const input of Object.values(this.inputs)) {
@@ -20,11 +20,13 @@ export class SelectionCard {
     }
     byId('selected-close').addEventListener('click', () => selection.select(null));
     byId('selected-follow').addEventListener('click', () => this.toggleFollow());
+    byId('selected-lock').addEventListener('click', () => this.toggleLock());
     byId('selected-delete').addEventListener('click', () => edits.remove(selection.thing));
     this.material = byId('selected-material');
     this.material.addEventListener('change', () =>
       edits.setMaterial(selection.thing.name, this.material.value));
     selection.addEventListener('changed', () => this.update());
+    locks.addEventListener('changed', () => this.update());
     viewpoint.addEventListener('follow', () => this.update());
     robots.addEventListener('moved', (event) => {
       const {thing} = selection;
@@ -45,14 +47,24 @@ export class SelectionCard {
     tell(byId('selected-name'), thing.name);
     tell(byId('selected-kind'), isModel ? (thing.movable ? 'model' : 'model that stands still') : 'robot');
     byId('selected-pose').hidden = !this.pose;
-    for (const input of Object.values(this.inputs)) input.disabled = !thing.movable;
+    for (const input of Object.values(this.inputs)) input.disabled = !this.locks.moves(thing);
     byId('selected-delete').hidden = !isModel;
+    this.updateLock(thing);
     byId('selected-material-field').hidden = !isModel;
     if (isModel) this.updateMaterial(thing.name);
     const isFollowed = this.viewpoint.followed?.name === thing.name;
     byId('selected-follow').setAttribute('aria-pressed', isFollowed);
     tell(byId('selected-follow'), isFollowed ? 'Stop following' : 'Follow');
     this.updatePose();
+  }
+
+  updateLock(thing) {
+    const isLocked = this.locks.isLocked(thing);
+    byId('selected-lock').hidden = thing.kind !== 'models';
+    tell(byId('selected-lock'), isLocked ? 'Unlock' : 'Lock');
+    byId('selected-lock').title = isLocked
+      ? 'It belongs to the world: unlock it to move, change or delete it' : 'Keep it as it is';
+    this.material.disabled = isLocked;
   }
 
   updateMaterial(name) {
@@ -92,6 +104,12 @@ export class SelectionCard {
     euler.z = yaw_deg * Math.PI / 180;
     this.mover.move(thing, {xyz: [x, y, z], q: new Quaternion().setFromEuler(euler).toArray()});
     this.undo.moved(thing, before);
+  }
+
+  toggleLock() {
+    const {thing} = this.selection;
+    if (this.locks.isLocked(thing)) this.locks.unlock([thing.name]);
+    else this.locks.lock([thing.name]);
   }
 
   toggleFollow() {

@@ -192,17 +192,30 @@ export class World extends EventTarget {
 
   /** Around all that stands up; floors may go on and on, so they count only where there is nothing else. */
   box() {
-    this.group.updateMatrixWorld();
-    const boxes = this.objects.map(({object, mesh}) =>
-      this.geometries.get(object.mesh).faces.boundingBox.clone().applyMatrix4(mesh.matrixWorld));
+    const boxes = this.boxes(() => true);
     const standing = boxes.filter((box) => box.max.z - box.min.z > FLAT_M);
-    return (standing.length ? standing : boxes).reduce((all, box) => all.union(box), new Box3());
+    return around(standing.length ? standing : boxes);
+  }
+
+  /** Around all objects that wanted(object) tells of. */
+  boxOf(wanted) {
+    return around(this.boxes(wanted));
+  }
+
+  boxes(wanted) {
+    this.group.updateMatrixWorld();
+    return this.objects.filter(({object}) => wanted(object)).map(({object, mesh}) =>
+      this.geometries.get(object.mesh).faces.boundingBox.clone().applyMatrix4(mesh.matrixWorld));
   }
 
   get triangles() {
     return this.objects.reduce(
       (sum, {object}) => sum + this.geometries.get(object.mesh).mesh.indices.length / 3, 0);
   }
+}
+
+function around(boxes) {
+  return boxes.reduce((all, box) => all.union(box), new Box3());
 }
 
 function keyOf(object) {
