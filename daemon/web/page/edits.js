@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Changes of the world: a box, a mesh from a file, a model less, another material. All by the control API, and each can
-// be taken back.
-import {Vector3} from './three.module.js';
+// Changes of the world: a box, a cylinder, a mesh from a file, another size, a model less, another material. All by the
+// control API, and each can be taken back.
+import {Matrix4, Vector3} from './three.module.js';
 import {ask} from './ask_dialog.js';
 import {meshFile, toBase64} from './mesh_file.js';
+import {matrixOf, movedTo} from './pose.js';
 import {MARK_RADIUS_M} from './robots.js';
+import {growth, newShape, sdfOf} from './shapes.js';
 
 export const FORMATS = ['stl', 'obj', 'ply', 'dae', 'glb', 'gltf', 'off', '3ds'];
-const BOX_M = 0.5;
 
 function modelPath(name, rest = '') {
   return `/scene/models/${encodeURIComponent(name)}${rest}`;
 }
 
 export class Edits {
-  constructor({server, world, robots, selection, locks, viewpoint, undo, notices}) {
-    Object.assign(this, {server, world, robots, selection, locks, viewpoint, undo, notices});
+  constructor({server, world, robots, selection, locks, placing, undo, notices}) {
+    Object.assign(this, {server, world, robots, selection, locks, placing, undo, notices});
     this.added = new Map();
     this.asked = new Set();
     world.addEventListener('loaded', () => this.forget());
@@ -40,23 +41,13 @@ export class Edits {
     }
   }
 
-  /** On the ground, in the middle of the view. */
-  place() {
-    const {x, y} = this.viewpoint.target;
-    return [round(x), round(y), 0];
+  /** A box or a cylinder, where the pointer is. */
+  addShape(kind, place = this.placing.place()) {
+    return this.undo.inTurn(() => this.bringShape(newShape(kind), place));
   }
 
-  addBox() {
-    return this.undo.inTurn(() => this.bringBox());
-  }
-
-  async bringBox() {
-    const name = this.freeName('box');
-    const half_m = BOX_M / 2;
-    const sdf = `<model name='box'><link name='body'><visual name='box'>` +
-      `<pose>0 0 ${half_m} 0 0 0</pose><geometry><box><size>${BOX_M} ${BOX_M} ${BOX_M}</size></box>` +
-      `</geometry></visual></link></model>`;
-    await this.add({name, sdf, static: false, pose: {xyz: this.place()}});
+  async bringShape(shape, xyz) {
+    await this.add({name: this.freeName(shape.kind), sdf: sdfOf(shape), shape, static: false, pose: {xyz}});
   }
 
   /** A file that was dropped or chosen; scale is 0.001 where its unit is a millimetre. */
@@ -64,7 +55,7 @@ export class Edits {
     return this.undo.inTurn(() => this.bringMesh(file, choices));
   }
 
-  async bringMesh(file, {scale, material}) {
+  async bringMesh(file, {scale, material, place}) {
     const format = file.name.split('.').pop().toLowerCase();
     if (!FORMATS.includes(format)) {
       this.notices.trouble(`${file.name} is no mesh that scipd reads: ${FORMATS.join(', ')}.`);
@@ -75,7 +66,7 @@ export class Edits {
       name: this.freeName(stem.slice(0, 40)),
       mesh_data: toBase64(new Uint8Array(await file.arrayBuffer())),
       mesh_format: format,
-      pose: {xyz: this.place()},
+      pose: {xyz: place ?? this.placing.middle()},
     };
     if (scale !== 1) request.scale = scale;
     if (material) request.material = material;
@@ -95,8 +86,10 @@ export class Edits {
 
   async bring(request) {
     const {era} = this.undo;
-    const answer = await this.server.post('/scene/models', request);
-    if (era === this.undo.era) this.added.set(request.name, request);
+    const {shape, ...posted} = request;
+    const answer = await this.server.post('/scene/models', posted);
+    const {replace, ...kept} = request;
+    if (era === this.undo.era) this.added.set(request.name, kept);
     this.locks.unlock([request.name]);
     for (const warning of answer.warnings || []) this.notices.tell(warning);
     // The page is told of the new scene, but whoever selects the model next wants it now.
@@ -125,6 +118,39 @@ export class Edits {
     const now = this.materialsOf(recipe.name);
     if (now.length === materials.length && now.join('\n') !== materials.join('\n')) {
       await this.putMaterials(recipe.name, {materials});
+    }
+  }
+
+  /** What shapes.js calls so, of what was added here; kind is mesh where it came from a file. Null of all else. */
+  shapeOf(name) {
+    const added = this.added.get(name);
+    if (!added) return null;
+    if (added.shape) return added.shape;
+    const box = this.localBox(name);
+    return {kind: 'mesh', size: sizeAround(box), middle: box.getCenter(new Vector3()).toArray()};
+  }
+
+  /** In the frame of the model. */
+  localBox(name) {
+    const pose = this.robots.poseOf('models', name) ?? {xyz: [0, 0, 0], q: [0, 0, 0, 1]};
+    return this.world.boxOf(({model}) => within(model, name), new Matrix4().getInverse(matrixOf(pose)));
+  }
+
+  /** shift: by how much its origin moves, in its own frame. */
+  resize(name, size, shift = [0, 0, 0]) {
+    return this.undo.inTurn(() => this.bringSize(name, size, shift));
+  }
+
+  async bringSize(name, size, shift) {
+    const {era} = this.undo;
+    const [before, materials, shape] = [this.recipe(name), this.materialsOf(name), this.shapeOf(name)];
+    const xyz = new Vector3(...shift).applyMatrix4(matrixOf(before.pose)).toArray();
+    const after = {...before, ...inSize(before, shape, size), pose: movedTo(before.pose, xyz)};
+    try {
+      await this.bringBack({...after, replace: true}, materials);
+      this.undo.did(`resized ${name}`, () => this.bringBack({...before, replace: true}, materials), era);
+    } catch (error) {
+      this.notices.trouble(`${name} cannot be resized: ${error.message}`);
     }
   }
 
@@ -214,6 +240,13 @@ function within(model, name) {
   return model === name || Boolean(model?.startsWith(`${name}::`));
 }
 
+/** What a request needs to have another size. */
+function inSize(request, shape, size) {
+  if (shape.kind === 'mesh') return {scale: (request.scale ?? 1) * growth(shape.size, size)};
+  const resized = {...shape, size};
+  return {shape: resized, sdf: sdfOf(resized)};
+}
+
 /** Along x, y and z; of nothing, nothing. */
 function sizeAround(box) {
   return box.isEmpty() ? [0, 0, 0] : box.getSize(new Vector3()).toArray();
@@ -226,8 +259,4 @@ function sizeOf(request) {
 
 function megabytes(bytes) {
   return `${(bytes / 1e6).toFixed(1)} MB`;
-}
-
-function round(value) {
-  return Math.round(value * 100) / 100;
 }

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The pointer's hands: a click selects, a drag of a robot or a movable model moves it over the ground, and a drag of
-// the ring around the selected thing, or with Shift, turns it.
+// the ring around the selected thing, or with Shift, turns it, and a drag of a handle resizes what was added here.
 import {isOnPoint} from './points_under.js';
 import {movedTo, turned} from './pose.js';
 
@@ -10,8 +10,8 @@ const SLACK_PX = 4;
 const MOST_TO_HOVER = 200_000;
 
 export class Hands {
-  constructor({stage, viewpoint, selection, locks, robots, mover, undo, ring}) {
-    Object.assign(this, {stage, viewpoint, selection, locks, robots, mover, undo, ring});
+  constructor({stage, viewpoint, selection, locks, robots, mover, undo, ring, handles}) {
+    Object.assign(this, {stage, viewpoint, selection, locks, robots, mover, undo, ring, handles});
     this.drag = null;
     const canvas = stage.canvas;
     canvas.addEventListener('pointerdown', (event) => this.press(event));
@@ -25,6 +25,11 @@ export class Hands {
     if (event.button !== 0 || !event.isPrimary) {
       this.drag = null;
       this.viewpoint.controls.enabled = true;
+      return;
+    }
+    if (this.handles.press(event)) {
+      this.viewpoint.controls.enabled = false;
+      this.stage.canvas.setPointerCapture(event.pointerId);
       return;
     }
     const ring = this.ring.under(event);
@@ -44,6 +49,10 @@ export class Hands {
   }
 
   move(event) {
+    if (this.handles.drag) {
+      this.handles.move(event);
+      return;
+    }
     if (!this.drag) {
       this.hover(event);
       return;
@@ -86,6 +95,7 @@ export class Hands {
   }
 
   end() {
+    if (this.handles.drag) this.handles.release();
     const {drag} = this;
     this.drag = null;
     this.viewpoint.controls.enabled = true;
@@ -107,8 +117,10 @@ export class Hands {
   tellCursor() {
     const event = this.hovered;
     this.hovered = null;
-    const isRing = Boolean(this.ring.under(event));
-    const movable = !isRing && this.locks.moves(this.selection.under(event)?.thing);
+    const isHandle = Boolean(this.handles.under(event));
+    const isRing = !isHandle && Boolean(this.ring.under(event));
+    this.stage.canvas.classList.toggle('resizable', isHandle);
+    const movable = !isRing && !isHandle && this.locks.moves(this.selection.under(event)?.thing);
     this.stage.canvas.classList.toggle('turnable', isRing);
     this.stage.canvas.classList.toggle('movable', movable);
   }

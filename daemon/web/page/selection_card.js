@@ -5,6 +5,7 @@
 import {Euler, Quaternion} from './three.module.js';
 import {byId, make, tell} from './elements.js';
 import {yawOf} from './pose.js';
+import {sizeWith} from './shapes.js';
 
 const FIELDS = ['x', 'y', 'z', 'yaw'];
 
@@ -12,6 +13,8 @@ export class SelectionCard {
   constructor({selection, locks, robots, world, mover, undo, edits, viewpoint, notices}) {
     Object.assign(this, {selection, locks, robots, world, mover, undo, edits, viewpoint, notices});
     this.inputs = Object.fromEntries(FIELDS.map((name) => [name, byId(`pose-${name}`)]));
+    this.sizes = ['x', 'y', 'z'].map((axis) => byId(`size-${axis}`));
+    this.sizes.forEach((input, axis) => input.addEventListener('change', () => this.resize(axis)));
     this.typed = null;
     for (const input of Object.values(this.inputs)) {
       input.addEventListener('input', () => { this.typed = input; });
@@ -50,12 +53,34 @@ export class SelectionCard {
     for (const input of Object.values(this.inputs)) input.disabled = !this.locks.moves(thing);
     byId('selected-delete').hidden = !isModel;
     this.updateLock(thing);
+    this.updateSize(thing);
     byId('selected-material-field').hidden = !isModel;
     if (isModel) this.updateMaterial(thing.name);
     const isFollowed = this.viewpoint.followed?.name === thing.name;
     byId('selected-follow').setAttribute('aria-pressed', isFollowed);
     tell(byId('selected-follow'), isFollowed ? 'Stop following' : 'Follow');
     this.updatePose();
+  }
+
+  updateSize(thing) {
+    const shape = thing.kind === 'models' ? this.edits.shapeOf(thing.name) : null;
+    byId('selected-size').hidden = !shape;
+    this.sizes.forEach((input, axis) => {
+      input.disabled = this.locks.isLocked(thing);
+      if (shape) input.value = shape.size[axis].toFixed(2);
+    });
+  }
+
+  resize(axis) {
+    const {name} = this.selection.thing;
+    const input = this.sizes[axis];
+    const {valueMissing, badInput, rangeUnderflow, rangeOverflow} = input.validity;
+    if (valueMissing || badInput || rangeUnderflow || rangeOverflow) {
+      this.notices.tell(`A size is a number from ${input.min} to ${input.max}, in metres.`);
+      this.updateSize(this.selection.thing);
+      return;
+    }
+    this.edits.resize(name, sizeWith(this.edits.shapeOf(name), axis, input.valueAsNumber));
   }
 
   updateLock(thing) {

@@ -197,15 +197,16 @@ export class World extends EventTarget {
     return around(standing.length ? standing : boxes);
   }
 
-  /** Around all objects that wanted(object) tells of. */
-  boxOf(wanted) {
-    return around(this.boxes(wanted));
+  /** Around all objects that wanted(object) tells of, in W or in the frame that a matrix leads into. */
+  boxOf(wanted, into = new Matrix4()) {
+    return around(this.boxes(wanted, into));
   }
 
-  boxes(wanted) {
+  boxes(wanted, into = new Matrix4()) {
     this.group.updateMatrixWorld();
     return this.objects.filter(({object}) => wanted(object)).map(({object, mesh}) =>
-      this.geometries.get(object.mesh).faces.boundingBox.clone().applyMatrix4(mesh.matrixWorld));
+      this.geometries.get(object.mesh).faces.boundingBox.clone().applyMatrix4(
+        new Matrix4().multiplyMatrices(into, mesh.matrixWorld)));
   }
 
   get triangles() {

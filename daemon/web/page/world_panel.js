@@ -9,7 +9,7 @@ import {cutAbove} from './surface.js';
 import {same} from './selection.js';
 
 export class WorldPanel {
-  constructor({settings, world, robots, selection, locks, status, stage, ground, edits, addDialog}) {
+  constructor({settings, world, robots, selection, locks, status, stage, ground, edits, placing, addDialog}) {
     Object.assign(this, {settings, world, robots, selection, locks, status, stage, ground});
     byId('world-choices').append(
       boundSelect(settings, 'colours', 'Colour of objects',
@@ -17,7 +17,10 @@ export class WorldPanel {
       this.cutSlider(),
       make('div', {class: 'checks'}, boundCheckbox(settings, 'grid', 'Grid and axes', '(G)')));
     settings.watch('grid', (on) => ground.setVisible(on));
-    byId('add-box').addEventListener('click', () => edits.addBox());
+    for (const kind of ['box', 'cylinder']) {
+      byId(`add-${kind}`).addEventListener('click', (event) =>
+        placing.wait(event, (place) => edits.addShape(kind, place)));
+    }
     byId('add-mesh').addEventListener('click', () => addDialog.choose());
     byId('unlock-all').addEventListener('click', () => this.unlockAll());
     world.addEventListener('changed', () => this.update());
