@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The view as one works in it: straight down as on a plan, clicks that meet a point, and what steps aside.
-import {SENSOR, expect, open, test, withScan} from './page.js';
+import {SENSOR, expect, near, open, test, withScan} from './page.js';
 import {hash, lookDown, lookFrom} from './eye.js';
 import {AT, EYE, room} from './room.js';
 
@@ -74,6 +74,40 @@ for (const width of [375, 1280]) {
     }
   });
 }
+
+test('under clock: poses, time plays, stands still and steps', async ({page, start}) => {
+  const daemon = await start([...room(), '--clock', 'poses']);
+  const time_s = async () => (await daemon.get('/status')).time_s;
+  await open(page, daemon, hash(EYE, AT));
+  const before_s = await time_s();
+  await page.getByRole('button', {name: 'Step'}).click();
+  await near(time_s, before_s + 0.025, 1e-6);
+  await page.locator('#clock-step-ms').selectOption('1000');
+  await page.locator('#canvas').press('j');
+  await near(time_s, before_s + 1.025, 1e-6);
+  await expect(page.locator('#clock-rate')).toHaveText('stands still');
+
+  await page.locator('#clock-factor').selectOption('5');
+  await page.getByRole('button', {name: 'Play'}).click();
+  const begun_ms = Date.now();
+  await withScan(page);
+  await expect.poll(time_s).toBeGreaterThan(before_s + 6);
+  // At most as fast as was asked for; this machine may be slower, and the status may be older.
+  expect(await time_s() - before_s - 1.025).toBeLessThan(5 * (Date.now() - begun_ms) / 1000 + 3);
+  await page.getByRole('button', {name: 'Pause'}).click();
+  await expect(page.getByRole('button', {name: 'Play'})).toBeVisible();
+  await page.waitForTimeout(300);
+  const stopped_s = await time_s();
+  await page.waitForTimeout(700);
+  expect(await time_s()).toBe(stopped_s);
+});
+
+test('under clock: wall there is nothing to play', async ({page, start}) => {
+  const daemon = await start(room());
+  await open(page, daemon);
+  await withScan(page);
+  await expect(page.locator('#clock')).toBeHidden();
+});
 
 function covers({x, y, width, height}, place) {
   return place.x > x && place.x < x + width && place.y > y && place.y < y + height;

@@ -24,7 +24,7 @@ export class Keys {
   }
 
   makeTable() {
-    const {settings, viewpoint, selection, views, edits, undo, addDialog} = this;
+    const {settings, viewpoint, selection, views, edits, undo, addDialog, clock} = this;
     const orbit = (around, up) => () => viewpoint.orbit(around * ORBIT_RAD, up * ORBIT_RAD);
     const pan = (right, up) => () => viewpoint.pan(right * PAN_PX, up * PAN_PX);
     const toggle = (name) => () => settings.toggle(name);
@@ -51,6 +51,9 @@ export class Keys {
       {key: '-', act: () => viewpoint.zoom(1.15)},
       {key: 'f', act: views.all, shown: 'F', help: 'see all of the world'},
       {key: 't', act: views.top, shown: 'T', help: 'see it straight down, as on a plan, and back'},
+      {key: 'k', act: () => clock.toggle(), shown: 'K, J',
+        help: 'under clock: poses, play or pause time, and one step'},
+      {key: 'j', act: () => clock.step()},
       {key: 'l', act: views.follow, shown: 'L', help: 'follow the selected thing, or the first robot'},
       {key: 'r', act: toggle('rays'), shown: 'R', help: 'rays'},
       {key: 'p', act: toggle('points'), shown: 'P', help: 'points'},

@@ -3,6 +3,7 @@
 //
 // Puts the page together.
 import {AddDialog} from './add_dialog.js';
+import {Clock} from './clock.js';
 import {Connection} from './connection.js';
 import {Dodge} from './dodge.js';
 import {Drive} from './drive.js';
@@ -59,6 +60,7 @@ page.scans = new Scans(page);
 page.selection = new Selection(page.stage, page.world, page.robots);
 page.locks = new Locks(page.world);
 page.mover = new Mover(page.server, page.robots, page.status, page.notices);
+page.clock = new Clock(page);
 page.undo = new Undo(page);
 page.placing = new Placing(page);
 page.edits = new Edits(page);

@@ -71,6 +71,11 @@ export class Robots extends EventTarget {
     this.stage.invalidate();
   }
 
+  /** How many can move: robots, and models of their own. */
+  get movers() {
+    return this.poses.robots.size + this.poses.models.size;
+  }
+
   /** While somebody drags a thing, the daemon's older poses of it do not count. */
   hold(kind, name) {
     this.held = {kind, name};

@@ -11,7 +11,7 @@ export class Status extends EventTarget {
     super();
     this.server = server;
     this.latest = null;
-    this.rates = {poses: null, scans: new Map()};
+    this.rates = {poses: null, time: null, scans: new Map()};
   }
 
   begin() {
@@ -33,7 +33,7 @@ export class Status extends EventTarget {
     // Of a daemon that began anew there is nothing to compare with.
     const before = this.latest && this.latest.uptime_s <= status.uptime_s ? this.latest : null;
     const past_s = (asked_ms - this.asked_ms) / 1000;
-    this.rates = before ? ratesBetween(before, status, past_s) : {poses: null, scans: new Map()};
+    this.rates = before ? ratesBetween(before, status, past_s) : {poses: null, time: null, scans: new Map()};
     this.latest = status;
     this.asked_ms = asked_ms;
     this.dispatchEvent(new Event('changed'));
@@ -55,7 +55,12 @@ function ratesBetween(before, now, past_s) {
     const past = castsOf(sensor) - old.get(sensor.name);
     if (past >= 0) scans.set(sensor.name, past / past_s);
   }
-  return {poses: (now.poses.accepted - before.poses.accepted) / past_s, scans};
+  return {
+    poses: (now.poses.accepted - before.poses.accepted) / past_s,
+    // Seconds of the daemon in a second.
+    time: (now.time_s - before.time_s) / past_s,
+    scans,
+  };
 }
 
 /** All that were cast, for drivers and for pages. */
