@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Time under clock: poses, where it goes on by the stamps of poses and stands still without them: the page sends the pose
-// that the first robot has, with a later stamp. What other programs send goes on beside it.
+// Time under clock: poses, where it goes on by the stamps of poses and stands still without them: the page sends the
+// pose that the first robot has, with a later stamp. What other programs send goes on beside it.
 import {byId, tell} from './elements.js';
 
 const BETWEEN_MS = 40;
@@ -68,7 +68,12 @@ export class Clock {
     byId('clock').hidden = !this.isSteered;
     byId('clock-play').setAttribute('aria-pressed', this.plays);
     tell(byId('clock-play'), this.plays ? 'Pause' : 'Play');
-    const {time} = this.status.rates;
-    tell(byId('clock-rate'), time === null || time === undefined ? '' : time > 0 ? `${time.toFixed(2)} ×` : 'stands still');
+    tell(byId('clock-rate'), inWords(this.status.rates.time));
   }
+}
+
+/** Seconds of the daemon in a second; null of the first answer. */
+function inWords(rate) {
+  if (rate === null) return '';
+  return rate > 0 ? `${rate.toFixed(2)} ×` : 'stands still';
 }

@@ -87,8 +87,9 @@ function drawRow([kind, {open, bands, ticks}], y, x, now_s) {
 
 function axis(y, x, now_s) {
   const marks = [60, 45, 30, 15, 0].map((ago_s) => now_s - ago_s);
+  const ticks = marks.map((each) => `M${x(each)} ${y + 1}v3`).join('');
   return [
-    makeSvg('path', {class: 'axis', d: `M${LABEL} ${y + 1}H${WIDTH}${marks.map((each) => `M${x(each)} ${y + 1}v3`).join('')}`}),
+    makeSvg('path', {class: 'axis', d: `M${LABEL} ${y + 1}H${WIDTH}${ticks}`}),
     makeSvg('text', {x: LABEL, y: y + 16}, `${SPAN_S} s ago`),
     makeSvg('text', {x: WIDTH, y: y + 16, 'text-anchor': 'end'}, `now: ${now_s.toFixed(0)} s`),
   ];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Inputs for what the members of a fault can be. Each is {element, value()}; value() is undefined of one that is left to
-// its default, and throws what is wrong in words.
+// Inputs for what the members of a fault can be. Each is {element, value()}; value() is undefined of one that is left
+// to its default, and throws what is wrong in words.
 import {make} from './elements.js';
 
 const WAYS = {

@@ -88,7 +88,8 @@ export class FaultsPanel {
   }
 
   presetButton(preset) {
-    return make('button', {type: 'button', title: preset.about, on: {click: () => this.startPreset(preset)}}, preset.name);
+    const click = () => this.startPreset(preset);
+    return make('button', {type: 'button', title: preset.about, on: {click}}, preset.name);
   }
 
   request() {

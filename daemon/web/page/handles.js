@@ -62,7 +62,8 @@ export class Handles {
       grip.quaternion.setFromRotationMatrix(matrix);
       grip.scale.setScalar(GRIP_PX * this.viewpoint.metresPerPixelAt(grip.position));
     }
-    this.edges.matrix.copy(matrix).multiply(new Matrix4().makeTranslation(...middle.toArray())).scale(new Vector3(...size));
+    const there = new Matrix4().makeTranslation(...middle.toArray());
+    this.edges.matrix.copy(matrix).multiply(there).scale(new Vector3(...size));
     this.group.updateMatrixWorld();
   }
 

@@ -3,6 +3,7 @@
 //
 // Puts the page together.
 import {AddDialog} from './add_dialog.js';
+import {AirCard} from './air_card.js';
 import {Clock} from './clock.js';
 import {Connection} from './connection.js';
 import {Dodge} from './dodge.js';
@@ -41,6 +42,7 @@ import {Viewpoint} from './viewpoint.js';
 import {Views} from './views.js';
 import {WirePanel} from './wire_panel.js';
 import {World} from './world.js';
+import {WorldFile} from './world_file.js';
 import {WorldPanel} from './world_panel.js';
 import {askForToken} from './token_dialog.js';
 import {byId} from './elements.js';
@@ -83,6 +85,8 @@ page.scenario = new ScenarioCard(page);
 new FaultsPanel(page);
 new Drops(page);
 new WorldPanel(page);
+new WorldFile(page);
+new AirCard(page);
 new SharePanel(page);
 new SelectionCard(page);
 new Keys(page);
