@@ -12,6 +12,7 @@ test('a fault that the page starts is seen on the wire', async ({page, start}) =
   const daemon = await start();
   await open(page, daemon);
   await page.getByRole('tab', {name: 'Faults'}).click();
+  await page.getByText('Any other fault').click();
   await page.locator('#fault-kind').selectOption('status');
   await page.getByLabel('status', {exact: true}).fill('0L');
   await page.getByLabel('command', {exact: true}).fill('MD');
@@ -60,6 +61,7 @@ test('each kind of fault starts as the form proposes it', async ({page, start}, 
   await open(page, daemon);
   await page.getByRole('tab', {name: 'Faults'}).click();
   const kinds = (await daemon.get('/faults/kinds')).map(({kind}) => kind);
+  await page.getByText('Any other fault').click();
   await page.locator('#fault-at').fill('1000');
   for (const kind of kinds) {
     await page.locator('#fault-kind').selectOption(kind);

@@ -4,7 +4,7 @@
 // What one adds, deletes and makes of other materials, what a driver of the scanner sees of it, and how it is undone.
 import {readFileSync, writeFileSync} from 'node:fs';
 import {expect, near, open, test, withScan} from './page.js';
-import {hash} from './eye.js';
+import {hash, lookFrom} from './eye.js';
 import {scene} from './daemon.js';
 import {Scip} from './scip.js';
 import {AT, EYE, FRONT, ahead, room} from './room.js';
@@ -23,7 +23,9 @@ test('a mesh file that is added is seen by the scanner, and so is its material',
     transfer.items.add(new File([text], 'plate.stl'));
     return transfer;
   }, stl);
-  await page.dispatchEvent('#view', 'drop', {dataTransfer: dropped});
+  const project = lookFrom(EYE, [0.5, 0, 0], await page.locator('#canvas').boundingBox());
+  const {x: clientX, y: clientY} = project([0.5, 0, 0]);
+  await page.dispatchEvent('#view', 'drop', {dataTransfer: dropped, clientX, clientY});
   await page.locator('#add-unit').selectOption('0.001');
   await page.locator('#add-material').selectOption('wood');
   await page.getByRole('button', {name: 'Add it'}).click();
@@ -60,7 +62,9 @@ test('a model of the world that was deleted comes back as it was', async ({page,
   const before = await scan();
   await open(page, daemon, hash(EYE, AT, {select: `models:${movable.model}`}));
   await expect(page.locator('#selected-name')).toHaveText(movable.model);
+  await page.getByRole('button', {name: 'Unlock', exact: true}).click();
   await page.locator('#canvas').press('Delete');
+  await page.getByRole('button', {name: 'Delete it'}).click();
   await expect.poll(async () => (await objects()).some(({model}) => model === movable.model)).toBe(false);
   const without = await scan();
   expect(without.filter((mm, i) => Math.abs(mm - before[i]) > 5).length).toBeGreaterThan(5);
@@ -87,6 +91,7 @@ test('a model of several materials that was made of one gets them back', async (
   expect(new Set(before).size).toBe(2);
   await open(page, daemon, hash(EYE, AT, {select: 'models:pair'}));
   await expect(page.locator('#selected-material')).toHaveValue('');
+  await page.getByRole('button', {name: 'Unlock', exact: true}).click();
   await page.locator('#selected-material').selectOption('metal');
   await expect.poll(materials).toEqual(['metal', 'metal']);
   await page.locator('#canvas').press('Control+z');
@@ -119,6 +124,7 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
   const atFirst = await models();
   await open(page, daemon, hash(EYE, AT, {select: 'models:box'}));
   await expect(page.locator('#selected-name')).toHaveText('box');
+  await page.getByRole('button', {name: 'Unlock', exact: true}).click();
   await page.locator('#canvas').press('Delete');
   await expect(page.locator('#ask-dialog')).toContainText('http_body_bytes');
   await page.getByRole('button', {name: 'Keep it'}).click();
@@ -129,6 +135,84 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
   await expect(page.locator('#notices')).toContainText('box is gone.');
   await page.locator('#canvas').press('Control+z');
   await expect(page.locator('#notices')).toContainText('nothing to undo');
+});
+
+test('a model of the world is deleted only once it is unlocked, and a large one after a question',
+  async ({page, start}) => {
+    const daemon = await start(room());
+    const models = async () => (await daemon.get('/scene')).models.map(({name}) => name);
+    const atFirst = await models();
+    await open(page, daemon, hash(EYE, AT, {select: 'models:room', panel: 'world'}));
+    await expect(page.locator('#selected-name')).toHaveText('room');
+    await page.locator('#canvas').press('Delete');
+    await expect(page.locator('#notices')).toContainText('room belongs to the world and is locked.');
+    await page.waitForTimeout(500);
+    expect(await models()).toEqual(atFirst);
+    await page.getByRole('button', {name: 'Unlock all'}).click();
+    await expect(page.getByRole('button', {name: 'Unlock all'})).toBeHidden();
+    await page.locator('#canvas').press('Delete');
+    await expect(page.locator('#ask-dialog')).toContainText('It is larger than the robot: 6.');
+    await page.getByRole('button', {name: 'Keep it'}).click();
+    expect(await models()).toEqual(atFirst);
+    await page.locator('#canvas').press('Delete');
+    await page.getByRole('button', {name: 'Delete it'}).click();
+    await expect.poll(models).not.toContain('room');
+    await page.locator('#canvas').press('Control+z');
+    await expect.poll(models).toContain('room');
+    // It was asked once.
+    await page.getByRole('button', {name: /^room/}).click();
+    await page.locator('#canvas').press('Delete');
+    await expect.poll(models).not.toContain('room');
+  });
+
+test('a box stands where the pointer is, and its handles make it larger', async ({page, start}) => {
+  const daemon = await start(room());
+  await open(page, daemon, hash(EYE, AT));
+  await withScan(page);
+  const project = lookFrom(EYE, AT, await page.locator('#canvas').boundingBox());
+  const there = project([0.5, 0, 0]);
+  await page.mouse.move(there.x, there.y);
+  await page.keyboard.press('o');
+  await expect(page.locator('#selected-name')).toHaveText('box 2');
+  const pose = async () => (await daemon.get('/scene/models/box%202/pose')).xyz;
+  await near(async () => (await pose())[0], 0.5, 0.02);
+  await near(() => ahead(daemon), 1.25, 0.03);
+
+  // The side that looks at the robot comes 0.4 m nearer, and the one behind it stays.
+  const [from, to] = [project([0.25, 0, 0.25]), project([-0.15, 0, 0.25])];
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, {steps: 4});
+  await page.mouse.up();
+  await near(() => ahead(daemon), 0.85, 0.03);
+  await near(async () => (await pose())[0], 0.3, 0.02);
+  await expect(page.locator('#size-x')).toHaveValue('0.90');
+  await page.locator('#size-x').fill('0.3');
+  await page.locator('#size-x').press('Enter');
+  await near(() => ahead(daemon), 1.15, 0.03);
+  await page.keyboard.press('Escape');
+  for (let i = 0; i < 2; ++i) await page.locator('#canvas').press('Control+z');
+  await near(() => ahead(daemon), 1.25, 0.03);
+});
+
+test('a cylinder goes where one clicks', async ({page, start}) => {
+  const daemon = await start(room());
+  await open(page, daemon, hash(EYE, AT, {panel: 'world'}));
+  await withScan(page);
+  const project = lookFrom(EYE, AT, await page.locator('#canvas').boundingBox());
+  await page.getByRole('button', {name: 'Add a cylinder'}).click();
+  await expect(page.locator('#placing')).toBeVisible();
+  const {x, y} = project([0, 0, 0]);
+  await page.mouse.click(x, y);
+  await expect(page.locator('#selected-name')).toHaveText('cylinder');
+  await expect(page.locator('#placing')).toBeHidden();
+  // Of 0.3 m across, seen from 1 m away.
+  await near(() => ahead(daemon), 0.85, 0.03);
+  await page.getByRole('button', {name: 'Add a box'}).click();
+  await page.keyboard.press('Escape');
+  await expect(page.locator('#placing')).toBeHidden();
+  await page.getByRole('button', {name: 'Add a box'}).press('Enter');
+  await expect(page.locator('#selected-name')).toHaveText('box 2');
 });
 
 test('nothing is undone in another world', async ({page, start}) => {

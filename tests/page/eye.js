@@ -28,6 +28,15 @@ export function lookFrom(eye, at, box) {
   };
 }
 
+/** As lookFrom, on a plan: straight down, with as much in sight as from the eye. */
+export function lookDown(eye, at, box) {
+  const scale = box.height / 2 / (HALF * (eye[2] - at[2]));
+  return ([x, y]) => ({
+    x: box.x + box.width / 2 + scale * (x - at[0]),
+    y: box.y + box.height / 2 - scale * (y - at[1]),
+  });
+}
+
 export function hash(eye, at, rest = {}) {
   return `#${new URLSearchParams({eye: eye.join(), at: at.join(), ...rest})}`;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Asks what a mesh file does not say: its unit and its material. Files come by drop or by a button.
+// Asks what a mesh file does not say: its unit and its material. Files come by drop or by a button, and stand where they were dropped.
 import {byId, make} from './elements.js';
 import {FORMATS} from './edits.js';
 
@@ -15,7 +15,6 @@ export class AddDialog {
     this.input.addEventListener('change', () => this.ask(this.input.files[0]));
     byId('add-form').addEventListener('submit', () => this.add());
     byId('add-cancel').addEventListener('click', () => this.dialog.close());
-    this.takeDrops(byId('view'));
   }
 
   choose() {
@@ -23,22 +22,10 @@ export class AddDialog {
     this.input.click();
   }
 
-  takeDrops(view) {
-    view.addEventListener('dragover', (event) => {
-      event.preventDefault();
-      view.classList.add('dropping');
-    });
-    view.addEventListener('dragleave', () => view.classList.remove('dropping'));
-    view.addEventListener('drop', (event) => {
-      event.preventDefault();
-      view.classList.remove('dropping');
-      this.ask(event.dataTransfer.files[0]);
-    });
-  }
-
-  ask(file) {
+  /** place: where it will stand; without it, in the middle of the view. */
+  ask(file, place = null) {
     if (!file) return;
-    this.file = file;
+    Object.assign(this, {file, place});
     byId('add-name').textContent = file.name;
     byId('add-material').replaceChildren(
       make('option', {value: ''}, 'as the file says'),
@@ -50,6 +37,7 @@ export class AddDialog {
     this.edits.addMesh(this.file, {
       scale: Number(byId('add-unit').value),
       material: byId('add-material').value,
+      place: this.place,
     });
   }
 }

@@ -12,8 +12,8 @@ const DEAD_ZONE = 0.15;
 const KEYS = new Set(['w', 'a', 's', 'd']);
 
 export class Drive {
-  constructor({stage, selection, robots, mover, undo}) {
-    Object.assign(this, {stage, selection, robots, mover, undo});
+  constructor({stage, selection, locks, robots, mover, undo}) {
+    Object.assign(this, {stage, selection, locks, robots, mover, undo});
     this.pressed = new Set();
     this.fast = false;
     this.begin = null;
@@ -38,7 +38,7 @@ export class Drive {
 
   get thing() {
     const selected = this.selection.thing;
-    if (selected?.movable) return selected;
+    if (this.locks.moves(selected)) return selected;
     return this.selection.things().find((thing) => thing.kind === 'robots') || null;
   }
 

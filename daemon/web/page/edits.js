@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Changes of the world: a box, a mesh from a file, a model less, another material. All by the control API, and each can
-// be taken back.
+// Changes of the world: a box, a cylinder, a mesh from a file, another size, a model less, another material. All by the
+// control API, and each can be taken back.
+import {Matrix4, Vector3} from './three.module.js';
 import {ask} from './ask_dialog.js';
 import {meshFile, toBase64} from './mesh_file.js';
+import {matrixOf, movedTo} from './pose.js';
+import {MARK_RADIUS_M} from './robots.js';
+import {growth, newShape, sdfOf} from './shapes.js';
 
 export const FORMATS = ['stl', 'obj', 'ply', 'dae', 'glb', 'gltf', 'off', '3ds'];
-const BOX_M = 0.5;
 
 function modelPath(name, rest = '') {
   return `/scene/models/${encodeURIComponent(name)}${rest}`;
 }
 
 export class Edits {
-  constructor({server, world, robots, selection, viewpoint, undo, notices}) {
-    Object.assign(this, {server, world, robots, selection, viewpoint, undo, notices});
+  constructor({server, world, robots, selection, locks, placing, undo, notices}) {
+    Object.assign(this, {server, world, robots, selection, locks, placing, undo, notices});
     this.added = new Map();
+    this.asked = new Set();
     world.addEventListener('loaded', () => this.forget());
   }
 
   /** Another world is there. */
   forget() {
     this.added.clear();
+    this.asked.clear();
     this.undo.forget();
   }
 
@@ -36,23 +41,13 @@ export class Edits {
     }
   }
 
-  /** On the ground, in the middle of the view. */
-  place() {
-    const {x, y} = this.viewpoint.target;
-    return [round(x), round(y), 0];
+  /** A box or a cylinder, where the pointer is. */
+  addShape(kind, place = this.placing.place()) {
+    return this.undo.inTurn(() => this.bringShape(newShape(kind), place));
   }
 
-  addBox() {
-    return this.undo.inTurn(() => this.bringBox());
-  }
-
-  async bringBox() {
-    const name = this.freeName('box');
-    const half_m = BOX_M / 2;
-    const sdf = `<model name='box'><link name='body'><visual name='box'>` +
-      `<pose>0 0 ${half_m} 0 0 0</pose><geometry><box><size>${BOX_M} ${BOX_M} ${BOX_M}</size></box>` +
-      `</geometry></visual></link></model>`;
-    await this.add({name, sdf, static: false, pose: {xyz: this.place()}});
+  async bringShape(shape, xyz) {
+    await this.add({name: this.freeName(shape.kind), sdf: sdfOf(shape), shape, static: false, pose: {xyz}});
   }
 
   /** A file that was dropped or chosen; scale is 0.001 where its unit is a millimetre. */
@@ -60,7 +55,7 @@ export class Edits {
     return this.undo.inTurn(() => this.bringMesh(file, choices));
   }
 
-  async bringMesh(file, {scale, material}) {
+  async bringMesh(file, {scale, material, place}) {
     const format = file.name.split('.').pop().toLowerCase();
     if (!FORMATS.includes(format)) {
       this.notices.trouble(`${file.name} is no mesh that scipd reads: ${FORMATS.join(', ')}.`);
@@ -71,7 +66,7 @@ export class Edits {
       name: this.freeName(stem.slice(0, 40)),
       mesh_data: toBase64(new Uint8Array(await file.arrayBuffer())),
       mesh_format: format,
-      pose: {xyz: this.place()},
+      pose: {xyz: place ?? this.placing.middle()},
     };
     if (scale !== 1) request.scale = scale;
     if (material) request.material = material;
@@ -91,8 +86,11 @@ export class Edits {
 
   async bring(request) {
     const {era} = this.undo;
-    const answer = await this.server.post('/scene/models', request);
-    if (era === this.undo.era) this.added.set(request.name, request);
+    const {shape, ...posted} = request;
+    const answer = await this.server.post('/scene/models', posted);
+    const {replace, ...kept} = request;
+    if (era === this.undo.era) this.added.set(request.name, kept);
+    this.locks.unlock([request.name]);
     for (const warning of answer.warnings || []) this.notices.tell(warning);
     // The page is told of the new scene, but whoever selects the model next wants it now.
     await this.world.load();
@@ -123,8 +121,46 @@ export class Edits {
     }
   }
 
+  /** What shapes.js calls so, of what was added here; kind is mesh where it came from a file. Null of all else. */
+  shapeOf(name) {
+    const added = this.added.get(name);
+    if (!added) return null;
+    if (added.shape) return added.shape;
+    const box = this.localBox(name);
+    return {kind: 'mesh', size: sizeAround(box), middle: box.getCenter(new Vector3()).toArray()};
+  }
+
+  /** In the frame of the model. */
+  localBox(name) {
+    const pose = this.robots.poseOf('models', name) ?? {xyz: [0, 0, 0], q: [0, 0, 0, 1]};
+    return this.world.boxOf(({model}) => within(model, name), new Matrix4().getInverse(matrixOf(pose)));
+  }
+
+  /** shift: by how much its origin moves, in its own frame. */
+  resize(name, size, shift = [0, 0, 0]) {
+    return this.undo.inTurn(() => this.bringSize(name, size, shift));
+  }
+
+  async bringSize(name, size, shift) {
+    const {era} = this.undo;
+    const [before, materials, shape] = [this.recipe(name), this.materialsOf(name), this.shapeOf(name)];
+    const xyz = new Vector3(...shift).applyMatrix4(matrixOf(before.pose)).toArray();
+    const after = {...before, ...inSize(before, shape, size), pose: movedTo(before.pose, xyz)};
+    try {
+      await this.bringBack({...after, replace: true}, materials);
+      this.undo.did(`resized ${name}`, () => this.bringBack({...before, replace: true}, materials), era);
+    } catch (error) {
+      this.notices.trouble(`${name} cannot be resized: ${error.message}`);
+    }
+  }
+
   async remove(thing) {
-    if (thing?.kind === 'models') await this.undo.inTurn(() => this.removeModel(thing));
+    if (thing?.kind !== 'models') return;
+    if (this.locks.isLocked(thing)) {
+      this.notices.tell(`${thing.name} belongs to the world and is locked. Unlock it in its card to delete it.`);
+      return;
+    }
+    await this.undo.inTurn(() => this.removeModel(thing));
   }
 
   async removeModel({name}) {
@@ -132,7 +168,7 @@ export class Edits {
     const recipe = this.recipe(name);
     const materials = this.materialsOf(name);
     const comesBack = sizeOf(recipe) <= this.world.limits.http_body_bytes;
-    if (!comesBack && !await this.askForGood(recipe)) return;
+    if (!await (comesBack ? this.askIfLarge(name) : this.askForGood(recipe))) return;
     try {
       await this.takeAway(name);
     } catch (error) {
@@ -149,6 +185,24 @@ export class Edits {
     return ask(`Delete ${recipe.name} for good?`,
       `It cannot be brought back: its faces take ${megabytes(sizeOf(recipe))}, and http_body_bytes under limits in ` +
       `the configuration allows ${megabytes(this.world.limits.http_body_bytes)}.`, 'Delete it');
+  }
+
+  /** Once of each model of the world that is larger than a robot. */
+  async askIfLarge(name) {
+    if (this.added.has(name) || this.asked.has(name)) return true;
+    const size = sizeAround(this.world.boxOf((object) => within(object.model, name)));
+    if (Math.max(...size) <= this.robotSize_m()) return true;
+    const goes = await ask(`Delete ${name}?`,
+      `It is larger than the robot: ${size.map((each_m) => each_m.toFixed(1)).join(' × ')} m.`, 'Delete it');
+    if (goes) this.asked.add(name);
+    return goes;
+  }
+
+  /** Of the largest one; a robot without a body is as large as its mark. */
+  robotSize_m() {
+    const bodies = [...this.robots.poses.robots.keys()].map((name) =>
+      Math.max(...sizeAround(this.world.boxOf((object) => object.robot === name))));
+    return Math.max(...bodies, 2 * MARK_RADIUS_M);
   }
 
   partsOf(name) {
@@ -186,6 +240,18 @@ function within(model, name) {
   return model === name || Boolean(model?.startsWith(`${name}::`));
 }
 
+/** What a request needs to have another size. */
+function inSize(request, shape, size) {
+  if (shape.kind === 'mesh') return {scale: (request.scale ?? 1) * growth(shape.size, size)};
+  const resized = {...shape, size};
+  return {shape: resized, sdf: sdfOf(resized)};
+}
+
+/** Along x, y and z; of nothing, nothing. */
+function sizeAround(box) {
+  return box.isEmpty() ? [0, 0, 0] : box.getSize(new Vector3()).toArray();
+}
+
 /** Of a request, in bytes. */
 function sizeOf(request) {
   return new Blob([JSON.stringify(request)]).size;
@@ -193,8 +259,4 @@ function sizeOf(request) {
 
 function megabytes(bytes) {
   return `${(bytes / 1e6).toFixed(1)} MB`;
-}
-
-function round(value) {
-  return Math.round(value * 100) / 100;
 }

@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Faults on purpose: a form that starts one, those that wait or act, and what they did.
+// Faults on purpose: troubles by their names, a form that starts any fault, those that wait or act, and what they did.
 import {byId, make, tell} from './elements.js';
+import {FaultBar} from './fault_bar.js';
 import {FAULT_EXAMPLES} from './fault_examples.js';
+import {FAULT_FIELDS} from './fault_fields.js';
+import {faultInput} from './fault_inputs.js';
+import {FAULT_PRESETS} from './fault_presets.js';
 import {at} from './server.js';
 
 const MOST_LINES = 200;
 const BETWEEN_MS = 1000;
+// Of a UST-10LX.
+const USUAL_FRONT = 540;
 
 export class FaultsPanel {
-  constructor({server, settings, status, connection, notices}) {
-    Object.assign(this, {server, settings, notices});
+  constructor({server, settings, status, connection, notices, scenario}) {
+    Object.assign(this, {server, settings, status, notices, scenario});
     this.kinds = [];
+    this.inputs = new Map();
+    this.bar = new FaultBar(byId('fault-bar'), server);
     this.kind = byId('fault-kind');
     this.sensor = byId('fault-sensor');
     this.fields = byId('fault-members');
     this.kind.addEventListener('change', () => this.showMembers());
     this.sensor.addEventListener('change', () => settings.set('sensor', this.sensor.value));
     byId('fault-form').addEventListener('submit', (event) => this.start(event));
+    byId('fault-presets').append(...FAULT_PRESETS.map((preset) => this.presetButton(preset)));
+    byId('fault-unit').addEventListener('change', () => this.tellUntil());
     byId('fault-stop-all').addEventListener('click', () => this.stopAll());
     status.addEventListener('changed', () => this.offer(status.sensors));
     settings.watch('sensor', (name) => {
@@ -62,21 +72,36 @@ export class FaultsPanel {
     if (!kind) return;
     tell(byId('fault-summary'), `${kind.summary}${kind.momentary ? ' (momentary)' : ''}`);
     const examples = FAULT_EXAMPLES[kind.kind] || {};
-    this.fields.replaceChildren(...kind.members.map((member) => make('label', {class: 'field'},
-      make('span', {}, member),
-      make('input', {name: member, autocomplete: 'off', spellcheck: 'false',
-        value: member in examples ? textOf(examples[member]) : '',
-        placeholder: 'default'}))));
+    this.inputs = new Map(kind.members.map((member) =>
+      [member, faultInput(member, FAULT_FIELDS[kind.kind][member], examples[member])]));
+    this.fields.replaceChildren(...[...this.inputs.values()].map(({element}) => element));
+    byId('fault-unit').value = 's';
     byId('fault-for').value = kind.momentary ? '' : '5';
+    this.tellUntil();
+  }
+
+  /** Until a boot takes no number. */
+  tellUntil() {
+    const length = byId('fault-for');
+    length.disabled = byId('fault-unit').value === 'RB';
+    length.step = byId('fault-unit').value === 'scans' ? 1 : 'any';
+  }
+
+  presetButton(preset) {
+    const click = () => this.startPreset(preset);
+    return make('button', {type: 'button', title: preset.about, on: {click}}, preset.name);
   }
 
   request() {
     const body = {kind: this.kind.value};
-    for (const input of this.fields.querySelectorAll('input')) {
-      if (input.value.trim()) body[input.name] = valueOf(input.value.trim());
+    for (const [member, input] of this.inputs) {
+      const value = input.value();
+      if (value !== undefined) body[member] = value;
     }
+    const unit = byId('fault-unit').value;
     const length = Number(byId('fault-for').value);
-    if (length > 0) body.for = {[byId('fault-unit').value]: length};
+    if (unit === 'RB') body.until = 'RB';
+    else if (length > 0) body.for = {[unit]: length};
     const later_s = Number(byId('fault-at').value);
     if (later_s > 0) body.at = {s: later_s};
     return body;
@@ -87,13 +112,37 @@ export class FaultsPanel {
     const trouble = byId('fault-trouble');
     trouble.hidden = true;
     try {
-      const answer = await this.server.post(at('/sensors/', this.sensor.value, '/faults'), this.request());
+      const answer = await this.post(this.sensor.value, this.request());
       this.notices.tell([`Fault ${answer.id} is asked for.`, ...(answer.notes || [])].join(' '));
     } catch (error) {
       trouble.textContent = error.message;
       trouble.hidden = false;
     }
     await this.refresh();
+  }
+
+  post(sensor, body) {
+    return this.server.post(at('/sensors/', sensor, '/faults'), body);
+  }
+
+  async startPreset({name, about, faults}) {
+    const sensor = this.sensor.value;
+    const hasTty = Boolean(this.status.sensor(sensor)?.pty);
+    try {
+      for (const {tty, ...fault} of faults(await this.front(sensor))) {
+        if (hasTty || !tty) await this.post(sensor, fault);
+      }
+      this.notices.tell(`${name}: ${about}.`);
+    } catch (error) {
+      this.notices.trouble(`${name}: ${error.message}`);
+    }
+    await this.refresh();
+  }
+
+  /** The step in the middle of the latest scan. */
+  async front(sensor) {
+    const truth = await this.server.get(at('/sensors/', sensor, '/truth')).catch(() => null);
+    return truth?.steps?.[Math.floor(truth.steps.length / 2)] ?? USUAL_FRONT;
   }
 
   async stop(id) {
@@ -111,7 +160,9 @@ export class FaultsPanel {
   async refresh() {
     const sensor = this.settings.get('sensor');
     if (!this.isSeen || !sensor) return;
+    this.bar.refresh(sensor, this.status.latest?.time_s ?? 0);
     const list = await this.server.get(at('/sensors/', sensor, '/faults')).catch(() => null);
+    if (list?.some((fault) => fault.scenario_step !== null)) this.scenario.isThere = true;
     const key = sensor + JSON.stringify(list);
     if (list === null || key === this.drawn) return;
     this.drawn = key;
@@ -128,7 +179,7 @@ export class FaultsPanel {
         make('span', {class: 'dim'}, hits === 1 ? 'acted once' : `acted ${hits} times`),
         make('button', {'aria-label': `Stop fault ${id}, ${kind}`, on: {click: () => this.stop(id)}},
           state === 'ended' ? 'Forget' : 'Stop')),
-      make('code', {class: 'small'}, JSON.stringify(rest)));
+      make('div', {class: 'small dim'}, wordsOf(rest)));
   }
 
   log(fault) {
@@ -141,15 +192,13 @@ export class FaultsPanel {
   }
 }
 
-/** Lists, objects and numbers as JSON has them; all else is a word. */
-function valueOf(text) {
-  try {
-    return JSON.parse(text);
-  } catch {
-    return text;
-  }
+/** {how: 'silent', for: {s: 3}} as "how silent, for s 3". */
+function wordsOf(fault) {
+  return Object.entries(fault).map(([name, value]) => `${name} ${textOf(value)}`).join(', ') || 'as it comes';
 }
 
 function textOf(value) {
-  return typeof value === 'string' ? value : JSON.stringify(value);
+  if (Array.isArray(value)) return value.map(textOf).join(' ');
+  if (value === null || typeof value !== 'object') return String(value);
+  return Object.entries(value).map(([name, part]) => `${name} ${textOf(part)}`).join(' ');
 }

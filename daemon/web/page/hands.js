@@ -2,21 +2,22 @@
 // Copyright The scipd authors
 //
 // The pointer's hands: a click selects, a drag of a robot or a movable model moves it over the ground, and a drag of
-// the ring around the selected thing, or with Shift, turns it.
+// the ring around the selected thing, or with Shift, turns it, and a drag of a handle resizes what was added here.
+import {isOnPoint} from './points_under.js';
 import {movedTo, turned} from './pose.js';
 
 const SLACK_PX = 4;
 const MOST_TO_HOVER = 200_000;
 
 export class Hands {
-  constructor({stage, viewpoint, selection, robots, mover, undo, ring}) {
-    Object.assign(this, {stage, viewpoint, selection, robots, mover, undo, ring});
+  constructor({stage, viewpoint, selection, locks, robots, mover, undo, ring, handles}) {
+    Object.assign(this, {stage, viewpoint, selection, locks, robots, mover, undo, ring, handles});
     this.drag = null;
     const canvas = stage.canvas;
     canvas.addEventListener('pointerdown', (event) => this.press(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
     canvas.addEventListener('pointerup', (event) => this.release(event));
-    canvas.addEventListener('pointercancel', (event) => this.release(event));
+    canvas.addEventListener('pointercancel', () => this.end());
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   }
 
@@ -26,11 +27,16 @@ export class Hands {
       this.viewpoint.controls.enabled = true;
       return;
     }
+    if (this.handles.press(event)) {
+      this.viewpoint.controls.enabled = false;
+      this.stage.canvas.setPointerCapture(event.pointerId);
+      return;
+    }
     const ring = this.ring.under(event);
     const under = ring ? null : this.selection.under(event);
     const thing = ring ? this.selection.thing : under?.thing;
-    this.drag = {thing, x: event.clientX, y: event.clientY, begun: false};
-    if (!thing?.movable) return;
+    this.drag = {thing, distance_m: under?.distance_m, x: event.clientX, y: event.clientY, begun: false};
+    if (!this.locks.moves(thing)) return;
     const pose = this.robots.poseOf(thing.kind, thing.name);
     if (!pose) return;
     this.viewpoint.controls.enabled = false;
@@ -43,6 +49,10 @@ export class Hands {
   }
 
   move(event) {
+    if (this.handles.drag) {
+      this.handles.move(event);
+      return;
+    }
     if (!this.drag) {
       this.hover(event);
       return;
@@ -75,18 +85,24 @@ export class Hands {
     }
   }
 
-  release() {
-    const drag = this.drag;
+  /** A click on a point of a scan is about the point, not about what stands behind it. */
+  release(event) {
+    const {drag} = this;
+    const isClick = drag && !drag.begun;
+    this.end();
+    if (!isClick || isOnPoint(this.stage, event, drag.distance_m)) return;
+    this.selection.select(drag.thing || null);
+  }
+
+  end() {
+    if (this.handles.drag) this.handles.release();
+    const {drag} = this;
     this.drag = null;
     this.viewpoint.controls.enabled = true;
-    if (!drag) return;
-    if (!drag.begun) {
-      this.selection.select(drag.thing || null);
-    } else if (drag.from) {
-      this.robots.release();
-      this.stage.canvas.classList.remove('holding');
-      this.undo.moved(drag.thing, drag.pose);
-    }
+    if (!drag?.begun || !drag.from) return;
+    this.robots.release();
+    this.stage.canvas.classList.remove('holding');
+    this.undo.moved(drag.thing, drag.pose);
   }
 
   /** The cursor tells what can be taken, once a picture, and not in worlds through which it takes long to look. */
@@ -101,9 +117,11 @@ export class Hands {
   tellCursor() {
     const event = this.hovered;
     this.hovered = null;
-    const isRing = Boolean(this.ring.under(event));
-    const movable = !isRing && this.selection.under(event)?.thing?.movable;
+    const isHandle = Boolean(this.handles.under(event));
+    const isRing = !isHandle && Boolean(this.ring.under(event));
+    this.stage.canvas.classList.toggle('resizable', isHandle);
+    const movable = !isRing && !isHandle && this.locks.moves(this.selection.under(event)?.thing);
     this.stage.canvas.classList.toggle('turnable', isRing);
-    this.stage.canvas.classList.toggle('movable', Boolean(movable));
+    this.stage.canvas.classList.toggle('movable', movable);
   }
 }

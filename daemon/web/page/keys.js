@@ -24,7 +24,7 @@ export class Keys {
   }
 
   makeTable() {
-    const {settings, viewpoint, selection, views, edits, undo, addDialog, past, tape} = this;
+    const {settings, viewpoint, selection, views, edits, undo, addDialog, clock, past, tape} = this;
     const orbit = (around, up) => () => viewpoint.orbit(around * ORBIT_RAD, up * ORBIT_RAD);
     const pan = (right, up) => () => viewpoint.pan(right * PAN_PX, up * PAN_PX);
     const toggle = (name) => () => settings.toggle(name);
@@ -50,7 +50,10 @@ export class Keys {
       {key: 'shift++', act: () => viewpoint.zoom(0.87)},
       {key: '-', act: () => viewpoint.zoom(1.15)},
       {key: 'f', act: views.all, shown: 'F', help: 'see all of the world'},
-      {key: 't', act: views.top, shown: 'T', help: 'see it from above'},
+      {key: 't', act: views.top, shown: 'T', help: 'see it straight down, as on a plan, and back'},
+      {key: 'k', act: () => clock.toggle(), shown: 'K, J',
+        help: 'under clock: poses, play or pause time, and one step'},
+      {key: 'j', act: () => clock.step()},
       {key: 'l', act: views.follow, shown: 'L', help: 'follow the selected thing, or the first robot'},
       {key: 'r', act: toggle('rays'), shown: 'R', help: 'rays'},
       {key: 'u', act: toggle('fans'), shown: 'U', help: 'what the other scanners look over'},
@@ -60,7 +63,9 @@ export class Keys {
       {key: 'x', act: toggle('through'), shown: 'X', help: 'through walls'},
       {key: 'g', act: toggle('grid'), shown: 'G', help: 'grid and axes'},
       {key: 'c', act: nextPaint, shown: 'C', help: 'the next colours of points'},
-      {key: 'o', act: () => edits.addBox(), shown: 'O', help: 'add a box'},
+      {key: 'o', act: () => edits.addShape('box'), shown: 'O',
+        help: 'add a box where the pointer is; with Shift: a cylinder'},
+      {key: 'shift+o', act: () => edits.addShape('cylinder')},
       {key: 'm', act: () => addDialog.choose(), shown: 'M', help: 'add a mesh from a file'},
       {key: 'delete', act: () => edits.remove(selection.thing), shown: 'Delete', help: 'delete the selected model'},
       {key: 'ctrl+z', act: () => undo.undo(), shown: 'Ctrl+Z', help: 'undo'},
@@ -69,7 +74,7 @@ export class Keys {
       {key: 'h', act: () => past.toggle(), shown: 'H', help: 'stand still, or go on'},
       {key: ',', act: () => past.step(-1), shown: ', .', help: 'one scan back, one on, of the last minute'},
       {key: '.', act: () => past.step(1)},
-      {key: 'escape', act: () => this.release(), shown: 'Esc', help: 'select, inspect and measure nothing'},
+      {key: 'escape', act: () => this.release(), shown: 'Esc', help: 'select, inspect, measure and place nothing'},
       ...this.panelKeys(),
       {key: 'shift+?', act: () => this.help(), shown: '?', help: 'these keys'},
       {key: '?', act: () => this.help()},

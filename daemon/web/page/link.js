@@ -32,8 +32,9 @@ export class Link {
   }
 
   hash() {
-    const {eye, at} = this.viewpoint.state();
+    const {eye, at, top} = this.viewpoint.state();
     const parts = {eye: places(eye), at: places(at)};
+    if (top) parts.top = '1';
     const {thing} = this.selection;
     if (thing) parts.select = `${thing.kind}:${thing.name}`;
     if (this.viewpoint.followed) parts.follow = '1';
@@ -60,12 +61,12 @@ export class Link {
     return values;
   }
 
-  /** {eye, at} or null. */
+  /** {eye, at, top} or null. */
   get viewWanted() {
     const [eye, at] = [this.wanted.eye, this.wanted.at].map((text) => (text || '').split(',').map(Number));
     const isPlace = (place) => place.length === 3 && place.every((value) => Math.abs(value) <= FARTHEST_M);
     const isGood = isPlace(eye) && isPlace(at) && eye.some((value, i) => value !== at[i]);
-    return isGood ? {eye, at} : null;
+    return isGood ? {eye, at, top: this.wanted.top === '1'} : null;
   }
 
   get selectWanted() {

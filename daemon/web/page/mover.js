@@ -5,12 +5,15 @@
 // that come faster only the newest is sent.
 import {at} from './server.js';
 
+const SOON_S = 1e-6;
+
 export class Mover {
   constructor(server, robots, status, notices) {
     this.server = server;
     this.robots = robots;
     this.status = status;
     this.notices = notices;
+    this.ledTo_s = 0;
     this.waiting = new Map();
     this.busy = new Set();
   }
@@ -38,10 +41,31 @@ export class Mover {
     this.busy.delete(key);
   }
 
+  /** Under clock: poses, as far as it has gone on. */
+  get time_s() {
+    const {time_s, uptime_s} = this.status.latest;
+    // A daemon that began anew has a time of its own.
+    if (this.uptime_s > uptime_s) this.ledTo_s = 0;
+    this.uptime_s = uptime_s;
+    return Math.max(time_s, this.ledTo_s);
+  }
+
+  /**
+   * The same pose, later: time goes on. Where several can move, a stamp takes effect when the next one comes, so there
+   * is one more, which others may still have as well.
+   */
+  async goOn(thing, pose, by_s) {
+    const t = this.time_s + by_s;
+    const say = (stamp) => this.server.put(this.path(thing), {xyz: pose.xyz, q: pose.q, t: stamp});
+    await say(t);
+    if (this.robots.movers > 1) await say(t + SOON_S);
+    this.ledTo_s = t;
+  }
+
   async send(thing, pose) {
     const body = {xyz: pose.xyz, q: pose.q};
     // There a pose is what makes time go on.
-    if (this.status.latest?.clock === 'poses') body.t = this.status.latest.time_s;
+    if (this.status.latest?.clock === 'poses') body.t = this.time_s;
     try {
       await this.server.put(this.path(thing), body);
     } catch (error) {

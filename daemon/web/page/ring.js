@@ -11,8 +11,8 @@ const COLOUR = 0xf09a1a;
 const LEAST_PX = 46;
 
 export class Ring {
-  constructor({stage, viewpoint, selection, robots}) {
-    Object.assign(this, {stage, viewpoint, selection, robots});
+  constructor({stage, viewpoint, selection, locks, robots}) {
+    Object.assign(this, {stage, viewpoint, selection, locks, robots});
     const material = new MeshBasicMaterial({
       color: COLOUR, side: DoubleSide, transparent: true, opacity: 0.85, depthTest: false,
     });
@@ -33,14 +33,12 @@ export class Ring {
 
   place() {
     const thing = this.selection.thing;
-    const pose = thing?.movable ? this.robots.poseOf(thing.kind, thing.name) : null;
+    const pose = this.locks.moves(thing) ? this.robots.poseOf(thing.kind, thing.name) : null;
     this.group.visible = Boolean(pose);
     if (!pose) return;
     this.group.position.set(pose.xyz[0], pose.xyz[1], pose.xyz[2] + 0.02);
     this.group.rotation.z = yawOf(pose);
-    const distance_m = this.stage.camera.position.distanceTo(this.group.position);
-    const perPixel = this.viewpoint.metresPerPixel * distance_m / this.viewpoint.distance_m;
-    const radius_m = Math.max(0.45, LEAST_PX * perPixel);
+    const radius_m = Math.max(0.45, LEAST_PX * this.viewpoint.metresPerPixelAt(this.group.position));
     this.group.scale.set(radius_m, radius_m, radius_m);
     this.group.updateMatrixWorld();
   }

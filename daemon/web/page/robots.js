@@ -11,7 +11,7 @@ import {makeSurface} from './surface.js';
 import {matrixOf, poseOf} from './pose.js';
 
 const ROBOT = [0.16, 0.47, 0.86];
-const RADIUS_M = 0.22;
+export const MARK_RADIUS_M = 0.22;
 
 /** Tells moved (detail: {kind, name}) and known, when others are there. */
 export class Robots extends EventTarget {
@@ -91,6 +91,11 @@ export class Robots extends EventTarget {
     this.stage.invalidate();
   }
 
+  /** How many can move: robots, and models of their own. */
+  get movers() {
+    return this.poses.robots.size + this.poses.models.size;
+  }
+
   /** While somebody drags a thing, the daemon's older poses of it do not count. */
   hold(kind, name) {
     this.held = {kind, name};
@@ -142,10 +147,10 @@ function makeMark(name) {
   const group = new Group();
   group.matrixAutoUpdate = false;
   const surface = makeSurface(ROBOT);
-  const body = new Mesh(new CylinderBufferGeometry(RADIUS_M, RADIUS_M, 0.12, 40), surface);
+  const body = new Mesh(new CylinderBufferGeometry(MARK_RADIUS_M, MARK_RADIUS_M, 0.12, 40), surface);
   body.rotation.x = Math.PI / 2;
   body.position.z = 0.09;
-  const rim = new Mesh(new RingBufferGeometry(RADIUS_M, RADIUS_M + 0.02, 40), surface);
+  const rim = new Mesh(new RingBufferGeometry(MARK_RADIUS_M, MARK_RADIUS_M + 0.02, 40), surface);
   rim.position.z = 0.02;
   const arrow = new Mesh(new ShapeBufferGeometry(arrowShape()), makeSurface([1, 1, 1]));
   arrow.position.z = 0.155;

@@ -3,6 +3,7 @@
 //
 // What is selected: a robot, a model, or nothing; and what lies under the pointer.
 import {Raycaster, Vector2, Plane, Vector3} from './three.module.js';
+import {highestSeen_m} from './surface.js';
 
 /** Tells changed. A thing is {kind: 'robots' or 'models', name, movable}. */
 export class Selection extends EventTarget {
@@ -82,7 +83,7 @@ export class Selection extends EventTarget {
     this.caster.setFromCamera(new Vector2(x, y), this.stage.camera);
   }
 
-  /** {thing, point} of what lies under the pointer, or null. */
+  /** {thing, point, distance_m, up} of what is seen under the pointer, or null; up is 1 of a floor and 0 of a wall. */
   under(event) {
     this.aim(event);
     const marks = [...this.robots.marks.values()].filter((mark) => mark.visible);
@@ -90,8 +91,9 @@ export class Selection extends EventTarget {
     const hits = this.caster.intersectObjects(meshes, false).concat(
       this.caster.intersectObjects(marks, true));
     hits.sort((a, b) => a.distance - b.distance);
-    const hit = hits[0];
-    return hit ? {thing: thingOf(hit.object), point: hit.point} : null;
+    const hit = hits.find(({point}) => point.z <= highestSeen_m());
+    if (!hit) return null;
+    return {thing: thingOf(hit.object), point: hit.point, distance_m: hit.distance, up: uprightness(hit)};
   }
 
   /** Where the pointer's line meets a height, or null. */
@@ -104,6 +106,11 @@ export class Selection extends EventTarget {
 
 export function same(a, b) {
   return a?.kind === b?.kind && a?.name === b?.name;
+}
+
+/** Of the face that was hit, whichever side of it. */
+function uprightness({face, object}) {
+  return face ? Math.abs(face.normal.clone().transformDirection(object.matrixWorld).z) : 0;
 }
 
 function nameOf(object, kind) {

@@ -5,13 +5,16 @@
 import {Euler, Quaternion} from './three.module.js';
 import {byId, make, tell} from './elements.js';
 import {yawOf} from './pose.js';
+import {sizeWith} from './shapes.js';
 
 const FIELDS = ['x', 'y', 'z', 'yaw'];
 
 export class SelectionCard {
-  constructor({selection, robots, world, mover, undo, edits, viewpoint, notices}) {
-    Object.assign(this, {selection, robots, world, mover, undo, edits, viewpoint, notices});
+  constructor({selection, locks, robots, world, mover, undo, edits, viewpoint, notices}) {
+    Object.assign(this, {selection, locks, robots, world, mover, undo, edits, viewpoint, notices});
     this.inputs = Object.fromEntries(FIELDS.map((name) => [name, byId(`pose-${name}`)]));
+    this.sizes = ['x', 'y', 'z'].map((axis) => byId(`size-${axis}`));
+    this.sizes.forEach((input, axis) => input.addEventListener('change', () => this.resize(axis)));
     this.typed = null;
     for (const input of Object.values(this.inputs)) {
       input.addEventListener('input', () => { this.typed = input; });
@@ -20,11 +23,13 @@ export class SelectionCard {
     }
     byId('selected-close').addEventListener('click', () => selection.select(null));
     byId('selected-follow').addEventListener('click', () => this.toggleFollow());
+    byId('selected-lock').addEventListener('click', () => this.toggleLock());
     byId('selected-delete').addEventListener('click', () => edits.remove(selection.thing));
     this.material = byId('selected-material');
     this.material.addEventListener('change', () =>
       edits.setMaterial(selection.thing.name, this.material.value));
     selection.addEventListener('changed', () => this.update());
+    locks.addEventListener('changed', () => this.update());
     viewpoint.addEventListener('follow', () => this.update());
     robots.addEventListener('moved', (event) => {
       const {thing} = selection;
@@ -45,14 +50,46 @@ export class SelectionCard {
     tell(byId('selected-name'), thing.name);
     tell(byId('selected-kind'), isModel ? (thing.movable ? 'model' : 'model that stands still') : 'robot');
     byId('selected-pose').hidden = !this.pose;
-    for (const input of Object.values(this.inputs)) input.disabled = !thing.movable;
+    for (const input of Object.values(this.inputs)) input.disabled = !this.locks.moves(thing);
     byId('selected-delete').hidden = !isModel;
+    this.updateLock(thing);
+    this.updateSize(thing);
     byId('selected-material-field').hidden = !isModel;
     if (isModel) this.updateMaterial(thing.name);
     const isFollowed = this.viewpoint.followed?.name === thing.name;
     byId('selected-follow').setAttribute('aria-pressed', isFollowed);
     tell(byId('selected-follow'), isFollowed ? 'Stop following' : 'Follow');
     this.updatePose();
+  }
+
+  updateSize(thing) {
+    const shape = thing.kind === 'models' ? this.edits.shapeOf(thing.name) : null;
+    byId('selected-size').hidden = !shape;
+    this.sizes.forEach((input, axis) => {
+      input.disabled = this.locks.isLocked(thing);
+      if (shape) input.value = shape.size[axis].toFixed(2);
+    });
+  }
+
+  resize(axis) {
+    const {name} = this.selection.thing;
+    const input = this.sizes[axis];
+    const {valueMissing, badInput, rangeUnderflow, rangeOverflow} = input.validity;
+    if (valueMissing || badInput || rangeUnderflow || rangeOverflow) {
+      this.notices.tell(`A size is a number from ${input.min} to ${input.max}, in metres.`);
+      this.updateSize(this.selection.thing);
+      return;
+    }
+    this.edits.resize(name, sizeWith(this.edits.shapeOf(name), axis, input.valueAsNumber));
+  }
+
+  updateLock(thing) {
+    const isLocked = this.locks.isLocked(thing);
+    byId('selected-lock').hidden = thing.kind !== 'models';
+    tell(byId('selected-lock'), isLocked ? 'Unlock' : 'Lock');
+    byId('selected-lock').title = isLocked
+      ? 'It belongs to the world: unlock it to move, change or delete it' : 'Keep it as it is';
+    this.material.disabled = isLocked;
   }
 
   updateMaterial(name) {
@@ -92,6 +129,12 @@ export class SelectionCard {
     euler.z = yaw_deg * Math.PI / 180;
     this.mover.move(thing, {xyz: [x, y, z], q: new Quaternion().setFromEuler(euler).toArray()});
     this.undo.moved(thing, before);
+  }
+
+  toggleLock() {
+    const {thing} = this.selection;
+    if (this.locks.isLocked(thing)) this.locks.unlock([thing.name]);
+    else this.locks.lock([thing.name]);
   }
 
   toggleFollow() {

@@ -4,7 +4,7 @@
 // What GET /status says, once a second, and the rates that follow from two answers.
 
 const BETWEEN_MS = 1000;
-const NO_RATES = {poses: null, scans: new Map(), sent: new Map()};
+const NO_RATES = {poses: null, time: null, scans: new Map(), sent: new Map()};
 
 /** Tells changed (with .latest and .rates), and lost (detail: why). */
 export class Status extends EventTarget {
@@ -58,6 +58,8 @@ function ratesBetween(before, now, past_s) {
   };
   return {
     poses: (now.poses.accepted - before.poses.accepted) / past_s,
+    // Seconds of the daemon in a second.
+    time: (now.time_s - before.time_s) / past_s,
     scans: rates(({casts}) => Object.values(casts).reduce((sum, each) => sum + each, 0)),
     sent: rates(({scans}) => scans),
   };

@@ -35,6 +35,11 @@ export function cutAbove(height_m) {
   cut.value = height_m > 0 ? height_m : 1e9;
 }
 
+/** What is higher is not drawn. */
+export function highestSeen_m() {
+  return cut.value;
+}
+
 export function makeSurface(colour, opacity = 1) {
   return new ShaderMaterial({
     vertexShader: VERTEX,

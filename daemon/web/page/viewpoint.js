@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// From where one looks: orbit, pan, zoom, from above, all of it, and along with a robot.
-import {Box3, Spherical, Quaternion, Vector3} from './three.module.js';
+// From where one looks: orbit, pan, zoom, all of it, straight down as on a plan, and along with a robot.
+import {Box3, MOUSE, OrthographicCamera, Spherical, Quaternion, TOUCH, Vector3} from './three.module.js';
 import {OrbitControls} from './OrbitControls.js';
 
 const NEAREST_M = 0.2;
 const FARTHEST_M = 800;
 const SHARE_OF_VIEW = 0.94;
+// Higher than all that stands in a world.
+const PLAN_HEIGHT_M = 250;
+// Slightly from the south, so that x is to the right and y is up.
+const DOWN = new Vector3(0, -1e-4, 1);
 const UP = new Vector3(0, 0, 1);
 // Spherical coordinates of three.js have y up.
 const TO_Y_UP = new Quaternion().setFromUnitVectors(UP, new Vector3(0, 1, 0));
@@ -16,16 +20,23 @@ export class Viewpoint extends EventTarget {
   constructor(stage) {
     super();
     this.stage = stage;
-    this.camera = stage.camera;
+    this.eye = stage.camera;
+    this.plan = new OrthographicCamera(-1, 1, 1, -1, 0, 2 * PLAN_HEIGHT_M);
+    this.plan.up.copy(UP);
+    // To look from again after a plan.
+    this.arm = new Vector3(-6, -8, 9);
     this.controls = new OrbitControls(this.camera, stage.canvas);
     this.controls.enableKeys = false;
     this.controls.minDistance = NEAREST_M;
     this.controls.maxDistance = FARTHEST_M;
     this.controls.maxPolarAngle = 0.497 * Math.PI;
+    this.controls.minZoom = 1 / FARTHEST_M;
+    this.controls.maxZoom = 1 / NEAREST_M;
     this.controls.addEventListener('change', () => this.changed());
     this.followed = null;
-    this.camera.position.set(-6, -8, 9);
+    this.camera.position.copy(this.arm);
     this.controls.update();
+    stage.beforeEach(() => this.fitPlan());
   }
 
   changed() {
@@ -33,25 +44,56 @@ export class Viewpoint extends EventTarget {
     this.dispatchEvent(new Event('change'));
   }
 
+  get camera() {
+    return this.stage.camera;
+  }
+
+  get isPlan() {
+    return this.camera === this.plan;
+  }
+
   get target() {
     return this.controls.target;
   }
 
+  /** Of a plan, from where the eye would see as much. */
   get distance_m() {
-    return this.camera.position.distanceTo(this.target);
+    return this.isPlan ? 1 / this.plan.zoom : this.camera.position.distanceTo(this.target);
   }
 
   /** Metres that a pixel of the page covers in the middle of the view. */
   get metresPerPixel() {
-    const half = Math.tan(this.camera.fov * Math.PI / 360) * this.distance_m;
-    return 2 * half / this.stage.canvas.clientHeight;
+    return 2 * this.slope * this.distance_m / this.stage.canvas.clientHeight;
+  }
+
+  /** And around a place. */
+  metresPerPixelAt(place) {
+    return this.isPlan
+      ? this.metresPerPixel : this.metresPerPixel * this.camera.position.distanceTo(place) / this.distance_m;
+  }
+
+  /** Of the upper edge of the view. */
+  get slope() {
+    return Math.tan(this.eye.fov * Math.PI / 360);
+  }
+
+  get aspect() {
+    const {clientWidth, clientHeight} = this.stage.canvas;
+    return clientWidth / clientHeight;
   }
 
   state() {
-    return {eye: this.camera.position.toArray(), at: this.target.toArray()};
+    const at = this.target.toArray();
+    if (!this.isPlan) return {eye: this.camera.position.toArray(), at, top: false};
+    return {eye: [at[0], at[1], at[2] + this.distance_m], at, top: true};
   }
 
-  restore({eye, at}) {
+  restore({eye, at, top}) {
+    if (top) {
+      this.lookDown(new Vector3(...at), eye[2] - at[2]);
+      return;
+    }
+    this.leavePlan();
     this.camera.position.set(...eye);
     this.target.set(...at);
     this.controls.update();
@@ -60,20 +102,61 @@ export class Viewpoint extends EventTarget {
 
   /** Shows a whole box from where one looks now. */
   show(box) {
+    this.leavePlan();
     this.fit(box, this.camera.position.clone().sub(this.target));
   }
 
-  /** Slightly from the south, so that x is to the right and y is up. */
+  /** Shows a whole box as on a plan: what stands on the same place is seen at the same place, be it high or low. */
   fromAbove(box) {
-    this.fit(box, new Vector3(0, -1e-4, 1));
+    const size = box.getSize(new Vector3());
+    const up = 2 * this.slope * SHARE_OF_VIEW;
+    this.lookDown(box.getCenter(new Vector3()), Math.max(size.y / up, size.x / (up * this.aspect)));
+  }
+
+  lookDown(middle, distance_m) {
+    if (!this.isPlan) this.enterPlan();
+    this.plan.zoom = 1 / Math.min(Math.max(distance_m, NEAREST_M), FARTHEST_M);
+    this.lookFrom(middle, DOWN, PLAN_HEIGHT_M);
+    this.fitPlan(true);
+  }
+
+  enterPlan() {
+    this.arm.copy(this.eye.position).sub(this.target);
+    this.take(this.plan);
+  }
+
+  /** Back to where one looked from, at what one looks at now. */
+  leavePlan() {
+    if (!this.isPlan) return;
+    const {distance_m} = this;
+    this.take(this.eye);
+    this.stage.fit();
+    this.lookFrom(this.target.clone(), this.arm, distance_m);
+  }
+
+  /** A plan is moved where the world would be turned. */
+  take(camera) {
+    this.stage.camera = camera;
+    this.controls.object = camera;
+    this.controls.enableRotate = !this.isPlan;
+    this.controls.mouseButtons.LEFT = this.isPlan ? MOUSE.PAN : MOUSE.ROTATE;
+    this.controls.touches.ONE = this.isPlan ? TOUCH.PAN : TOUCH.ROTATE;
+  }
+
+  /** The view may have become wider. */
+  fitPlan(always = false) {
+    const right = this.slope * this.aspect;
+    if (!always && (!this.isPlan || this.plan.right === right)) return;
+    Object.assign(this.plan, {left: -right, right, top: this.slope, bottom: -this.slope});
+    this.plan.updateProjectionMatrix();
   }
 
   /** From a direction, and from so far away that no corner is out of sight. */
   fit(box, direction) {
     const middle = box.getCenter(new Vector3());
     this.lookFrom(middle, direction, 2);
-    const up = Math.tan(this.camera.fov * Math.PI / 360) * SHARE_OF_VIEW;
-    const across = up * this.camera.aspect;
+    const up = this.slope * SHARE_OF_VIEW;
+    const across = up * this.aspect;
     const toCamera = this.camera.quaternion.clone().inverse();
     let distance_m = NEAREST_M;
     for (const corner of cornersOf(box)) {
@@ -91,6 +174,7 @@ export class Viewpoint extends EventTarget {
   }
 
   orbit(around_rad, up_rad) {
+    this.leavePlan();
     const arm = this.camera.position.clone().sub(this.target).applyQuaternion(TO_Y_UP);
     const spherical = new Spherical().setFromVector3(arm);
     spherical.theta += around_rad;
@@ -118,6 +202,10 @@ export class Viewpoint extends EventTarget {
   }
 
   zoom(factor) {
+    if (this.isPlan) {
+      this.lookDown(this.target.clone(), this.distance_m * factor);
+      return;
+    }
     const arm = this.camera.position.clone().sub(this.target);
     const distance_m = Math.min(Math.max(arm.length() * factor, NEAREST_M), FARTHEST_M);
     this.lookFrom(this.target.clone(), arm, distance_m);

@@ -192,20 +192,26 @@ export class World extends EventTarget {
 
   /** Around all that stands up; floors may go on and on, so they count only where there is nothing else. */
   box() {
-    const boxes = this.boxes();
+    const boxes = this.boxes(() => true);
     const standing = boxes.filter((box) => box.max.z - box.min.z > FLAT_M);
     return around(standing.length ? standing : boxes);
   }
 
   /** Around all of it, floors as well. */
   extent() {
-    return around(this.boxes());
+    return around(this.boxes(() => true));
   }
 
-  boxes() {
+  /** Around all objects that wanted(object) tells of, in W or in the frame that a matrix leads into. */
+  boxOf(wanted, into = new Matrix4()) {
+    return around(this.boxes(wanted, into));
+  }
+
+  boxes(wanted, into = new Matrix4()) {
     this.group.updateMatrixWorld();
-    return this.objects.map(({object, mesh}) =>
-      this.geometries.get(object.mesh).faces.boundingBox.clone().applyMatrix4(mesh.matrixWorld));
+    return this.objects.filter(({object}) => wanted(object)).map(({object, mesh}) =>
+      this.geometries.get(object.mesh).faces.boundingBox.clone().applyMatrix4(
+        new Matrix4().multiplyMatrices(into, mesh.matrixWorld)));
   }
 
   get triangles() {

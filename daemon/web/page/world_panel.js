@@ -9,19 +9,24 @@ import {cutAbove} from './surface.js';
 import {same} from './selection.js';
 
 export class WorldPanel {
-  constructor({settings, world, robots, selection, status, stage, ground, edits, addDialog}) {
-    Object.assign(this, {settings, world, robots, selection, status, stage, ground});
+  constructor({settings, world, robots, selection, locks, status, stage, ground, edits, placing, addDialog}) {
+    Object.assign(this, {settings, world, robots, selection, locks, status, stage, ground});
     byId('world-choices').append(
       boundSelect(settings, 'colours', 'Colour of objects',
         CHOICES.colours.map((each) => [each, `by ${each}`])),
       this.cutSlider(),
       make('div', {class: 'checks'}, boundCheckbox(settings, 'grid', 'Grid and axes', '(G)')));
     settings.watch('grid', (on) => ground.setVisible(on));
-    byId('add-box').addEventListener('click', () => edits.addBox());
+    for (const kind of ['box', 'cylinder']) {
+      byId(`add-${kind}`).addEventListener('click', (event) =>
+        placing.wait(event, (place) => edits.addShape(kind, place)));
+    }
     byId('add-mesh').addEventListener('click', () => addDialog.choose());
+    byId('unlock-all').addEventListener('click', () => this.unlockAll());
     world.addEventListener('changed', () => this.update());
     robots.addEventListener('known', () => this.update());
     selection.addEventListener('changed', () => this.updateThings());
+    locks.addEventListener('changed', () => this.updateThings());
     status.addEventListener('changed', () => this.updateWarnings());
   }
 
@@ -57,8 +62,23 @@ export class WorldPanel {
     const rows = this.selection.things().map((thing) => make('li', {}, make('button', {
       class: 'thing', 'aria-pressed': same(thing, this.selection.thing),
       on: {click: () => this.selection.select(thing)},
-    }, make('span', {}, thing.name), make('span', {class: 'dim'}, kindOf(thing)))));
+    }, make('span', {}, thing.name), make('span', {class: 'dim'}, this.kindOf(thing)))));
     byId('things').replaceChildren(...rows);
+    byId('unlock-all').hidden = !this.locked().length;
+  }
+
+  kindOf(thing) {
+    if (thing.kind === 'robots') return 'robot';
+    if (this.locks.isLocked(thing)) return 'locked';
+    return thing.movable ? 'can be moved' : 'stands still';
+  }
+
+  locked() {
+    return this.selection.things().filter((thing) => this.locks.isLocked(thing)).map(({name}) => name);
+  }
+
+  unlockAll() {
+    this.locks.unlock(this.locked());
   }
 
   updateMaterials() {
@@ -85,9 +105,4 @@ export class WorldPanel {
     byId('warnings-none').hidden = warnings.length > 0;
     byId('warnings').replaceChildren(...warnings.map((text) => make('li', {class: 'warning'}, text)));
   }
-}
-
-function kindOf({kind, movable}) {
-  if (kind === 'robots') return 'robot';
-  return movable ? 'can be moved' : 'stands still';
 }
