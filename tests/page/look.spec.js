@@ -84,6 +84,41 @@ test('with thirty scanners the maze is still seen', async ({page, start}, info) 
   expect(red).toBeLessThan(0.05);
 });
 
+test('the first scan is soon there, and thirty scanners go on', async ({page, start}, info) => {
+  mkdirSync(info.outputDir, {recursive: true});
+  const daemon = await start(fleet(info.outputDir, 10));
+  const sensors = (await daemon.get('/sensors')).map(({name}) => name);
+  let acknowledged = 0;
+  page.on('websocket', (socket) => socket.on('framesent', ({payload}) => {
+    acknowledged += /^{"ack":\d+}$/.test(payload) ? 1 : 0;
+  }));
+  await open(page, daemon, `#show=${sensors.join()}`);
+  const first = () => page.evaluate(() => performance.getEntriesByName('first scan')[0]?.startTime);
+  await expect.poll(first).toBeGreaterThan(0);
+  const [before, from_ms] = [acknowledged, Date.now()];
+  await page.waitForTimeout(5000);
+  const rate = (acknowledged - before) / sensors.length / ((Date.now() - from_ms) / 1000);
+  console.log(`first scan after ${Math.round(await first())} ms; ${rate.toFixed(1)} pictures of all a second`);
+  // Far less than a machine gives that does nothing else.
+  expect(await first()).toBeLessThan(10_000);
+  expect(rate).toBeGreaterThan(1);
+});
+
+test('a browser fetches few files', async ({page, start}) => {
+  const daemon = await start();
+  const main = await (await fetch(new URL('page/main.js', daemon.address))).text();
+  test.skip(/^import .* from '\.\//m.test(main), 'this build has no esbuild, so each module is fetched by itself');
+  const files = new Set();
+  page.on('request', (request) => {
+    const {pathname} = new URL(request.url());
+    if (pathname === '/' || pathname.startsWith('/page/')) files.add(pathname);
+  });
+  await open(page, daemon);
+  await withScan(page);
+  expect([...files]).toContain('/page/main.js');
+  expect(files.size).toBeLessThanOrEqual(20);
+});
+
 test('draws nothing beyond the world', async ({page, start}) => {
   const daemon = await start(['--scene', scene('square_room.sdf'), '--accuracy', 'ideal']);
   const [eye, at] = [[0, -0.01, 14], [0, 0, 0]];

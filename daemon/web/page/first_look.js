@@ -15,7 +15,6 @@ const WALL_M = 1;
 export class FirstLook {
   constructor({scans, views, viewpoint, status, robots, stage}) {
     Object.assign(this, {scans, views, viewpoint, status, robots});
-    views.all();
     this.take = ({detail: scan}) => {
       if (scan.sensor === scans.chosen) this.frame(scan);
     };
@@ -23,6 +22,9 @@ export class FirstLook {
     scans.addEventListener('scan', this.take);
     for (const kind of ['pointerdown', 'wheel']) stage.canvas.addEventListener(kind, this.leave, {once: true});
     window.addEventListener('keydown', this.leave, {once: true});
+    views.all();
+    const scan = scans.scanOf(scans.chosen);
+    if (scan) this.frame(scan);
   }
 
   frame(scan) {

@@ -120,15 +120,19 @@ async function loadWorld() {
   }
 }
 
-/** Of a daemon that one sees for the first time: what the link says, or else the first sensor and all of the world. */
-function restore() {
-  const {link, settings, scans, selection, status, views} = page;
+/** Of a daemon that one sees for the first time: the sensors that the link says, or else the first. */
+function choose() {
+  const {link, settings, scans, status} = page;
   for (const [name, value] of Object.entries(link.settingsWanted)) settings.set(name, value);
   const sensors = status.sensors.map(({name}) => name);
   if (!sensors.includes(settings.get('sensor'))) settings.set('sensor', sensors[0] || '');
-  for (const name of link.showWanted || sensors.slice(0, 1)) {
-    if (sensors.includes(name)) scans.show(name, true);
-  }
+  const wanted = link.showWanted || sensors.slice(0, 1);
+  scans.showAll(wanted.filter((name) => sensors.includes(name)), true);
+}
+
+/** Where one looks in the world, and at what: as the link says, or else at the first scan. */
+function look() {
+  const {link, selection, views} = page;
   if (link.viewWanted) views.restore(link.viewWanted);
   else new FirstLook(page);
   selection.selectLater(link.selectWanted);
@@ -136,21 +140,22 @@ function restore() {
   link.begin();
 }
 
-page.connection.addEventListener('open', () => {
-  page.world.forget();
-  loadWorld();
-});
+page.connection.addEventListener('open', () => page.world.forget());
 page.connection.addEventListener('text', (event) => {
-  if (event.detail.scene) loadWorld();
+  // It comes first, and whenever there is another one.
+  if ('scene' in event.detail) loadWorld();
   if (event.detail.detail) page.notices.trouble(event.detail.detail);
 });
 
+/** Scans come while the world is still on its way. */
 async function begin() {
   await page.server.get('/health');
-  await page.status.ask();
-  await loadWorld();
-  restore();
   page.connection.open();
+  const world = loadWorld();
+  await page.status.ask();
+  choose();
+  await world;
+  look();
 }
 
 begin().catch((error) => page.notices.trouble(`The page cannot begin: ${error.message}`));

@@ -111,6 +111,12 @@ class Marks {
       origins[at + 1] + range_m * directions[at + 1], origins[at + 2] + range_m * directions[at + 2]);
   }
 
+  /** From the mark before. */
+  distance_m(index) {
+    const [at, places] = [3 * index, this.positions.array];
+    return Math.hypot(places[at] - places[at - 3], places[at + 1] - places[at - 2], places[at + 2] - places[at - 1]);
+  }
+
   tint(index, colour, opacity) {
     const at = 4 * index;
     const tints = this.tints.array;
@@ -129,6 +135,7 @@ class Marks {
 
   show(count) {
     this.geometry.setDrawRange(0, count);
+    this.group.visible = count > 0;
     if (!this.positions) return;
     this.positions.needsUpdate = true;
     this.tints.needsUpdate = true;

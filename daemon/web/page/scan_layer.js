@@ -33,6 +33,7 @@ export class ScanLayer {
     this.trail = new Trail();
     this.scan = null;
     this.isChosen = false;
+    this.spacing_m = 0;
     this.world = null;
     this.group.add(this.fan.group);
     for (const marks of this.marks()) this.group.add(marks.group);
@@ -43,6 +44,11 @@ export class ScanLayer {
     this.isChosen = isChosen;
     this.hits.setSize(isChosen ? CHOSEN_PX : OTHERS_PX);
     this.hits.setRim(isChosen);
+  }
+
+  /** Points of others than the chosen one are left out where they would lie closer together than a pixel. */
+  space(pixel_m) {
+    this.spacing_m = pixel_m;
   }
 
   /** The box around the world, beyond which nothing is drawn. */
@@ -86,6 +92,7 @@ export class ScanLayer {
       const range_m = sentRange(scan, i);
       if (!(range_m > 0)) continue;
       hits.putAlong(count, this.shape, i, range_m);
+      if (!this.isChosen && count && hits.distance_m(count) < this.spacing_m) continue;
       hits.setShape(count, paint.shapeOf(scan, i));
       hits.tint(count++, paint.colourOf(scan, i), 1);
     }

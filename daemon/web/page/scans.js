@@ -25,6 +25,7 @@ export class Scans extends EventTarget {
     this.latest = new Map();
     this.unacknowledged = [];
     this.counts = new Map();
+    this.isDrawn = false;
     this.paint = null;
     this.words = {
       nameOfObject: (id) => world.nameOf(id),
@@ -141,6 +142,7 @@ export class Scans extends EventTarget {
     for (const [sensor, scan] of this.latest) {
       const layer = this.layers.get(sensor);
       layer.scan.take(scan);
+      layer.scan.space(this.stage.pixelAt(scan.pose.xyz));
       layer.mark.take(scan);
     }
     this.mixPaint();
@@ -155,6 +157,10 @@ export class Scans extends EventTarget {
   }
 
   acknowledge() {
+    if (this.unacknowledged.length && !this.isDrawn) {
+      this.isDrawn = true;
+      performance.mark('first scan');
+    }
     for (const frame of this.unacknowledged) this.connection.send({ack: frame});
     this.unacknowledged = [];
   }

@@ -70,6 +70,12 @@ export class Stage {
     return new Promise((done) => this.canvas.toBlob(done, 'image/png'));
   }
 
+  /** How long a pixel of the canvas is at a place. */
+  pixelAt([x, y, z]) {
+    const distance_m = this.camera.position.distanceTo({x, y, z});
+    return 2 * distance_m * Math.tan(this.camera.fov * Math.PI / 360) / this.canvas.clientHeight;
+  }
+
   /** Where on the canvas a pointer is, from -1 to 1 as WebGL has it. */
   place(event) {
     const box = this.canvas.getBoundingClientRect();
