@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/options.h"
@@ -16,6 +17,7 @@
 #include "tools/scipfit/known_length.h"
 #include "tools/scipfit/profile_yaml.h"
 #include "tools/scipfit/read_readings.h"
+#include "tools/scipfit/room_sdf.h"
 
 namespace scipd::tools {
 namespace {
@@ -26,8 +28,27 @@ struct FitOptions {
     std::string model;
     std::vector<std::string> lengths;
     std::string output;
+    std::string room;
     bool json = false;
 };
+
+/// The profile has the light of a white wall as this room tells it.
+void make_room(const std::string& file, const Standing& standing, Fit& found) {
+    Room room = room_of(standing);
+    write_to(file, [&](std::ostream& out) {
+        write_room(room, *standing.readings, *found.kind.model, out);
+    });
+    if (!room.light) return;
+    found.light.by_range = std::move(room.light->white);
+    found.light.walls_told_apart = true;
+}
+
+/// The room as the profile names it: a configuration names files from where it lies.
+std::string room_beside(const FitOptions& options) {
+    if (options.room.empty()) return {};
+    const auto folder = std::filesystem::absolute(options.output).parent_path();
+    return std::filesystem::absolute(options.room).lexically_relative(folder).string();
+}
 
 void fit(const FitOptions& options) {
     std::vector<Length> lengths;
@@ -36,8 +57,11 @@ void fit(const FitOptions& options) {
     Readings readings = read_readings(options.files, options.stream);
     const Kind kind = kind_of(readings, options.model);
     complete(*kind.model, readings);
-    const Fit found = fit_scanner(readings, kind, lengths);
-    write_to(options.output, [&](std::ostream& out) { write_profile(found, "", out); });
+    const Standing standing = look_at(readings);
+    Fit found = fit_scanner(standing, kind, lengths);
+    if (!options.room.empty()) make_room(options.room, standing, found);
+    write_to(options.output,
+             [&](std::ostream& out) { write_profile(found, room_beside(options), out); });
     if (options.json)
         std::cout << as_json(found).dump(2, ' ', true, nlohmann::json::error_handler_t::replace)
                   << '\n';
@@ -56,6 +80,12 @@ void add_fit_options(CLI::App& program) {
         .add_option("-o,--output", options->output,
                     "the profile: a configuration for scipd, with what each value is from")
         ->type_name("FILE.yaml")
+        ->check(can_be_written);
+    program
+        .add_option("--room", options->room,
+                    "also make the room, and have the profile stand in it: a twin of the scanner "
+                    "where it stood")
+        ->type_name("FILE.sdf")
         ->check(can_be_written);
     program.add_option("--stream", options->stream,
                        "which scanner, of recordings of several; default: the first");

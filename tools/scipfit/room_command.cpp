@@ -2,7 +2,6 @@
 // Copyright The scipd authors
 #include "tools/scipfit/room_command.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -15,7 +14,7 @@
 #include "tools/options.h"
 #include "tools/output_file.h"
 #include "tools/scipfit/formatted.h"
-#include "tools/scipfit/kind.h"
+#include "tools/scipfit/fit.h"
 #include "tools/scipfit/read_readings.h"
 #include "tools/scipfit/room_sdf.h"
 
@@ -30,17 +29,10 @@ struct RoomOptions {
     bool json = false;
 };
 
-/// Where the recording begins to stand.
-const Station& first_of(const std::vector<Station>& stations, const std::string& files) {
-    if (stations.empty())
-        throw WrongInput(files + ": the scanner moves all the time; record one that stands still");
-    return *std::ranges::min_element(stations, {}, &Station::first);
-}
-
-void show(const RoomOptions& options, const std::vector<Wall>& walls, const RoomCheck& check,
-          std::size_t stations) {
+void show(const RoomOptions& options, const Room& room, std::size_t stations) {
+    const RoomCheck& check = room.check;
     if (options.json) {
-        std::cout << nlohmann::ordered_json{{"walls", walls.size()},
+        std::cout << nlohmann::ordered_json{{"walls", room.walls.size()},
                                             {"beams", check.beams},
                                             {"explained", check.explained},
                                             {"rms_mm", check.rms_mm},
@@ -53,7 +45,7 @@ void show(const RoomOptions& options, const std::vector<Wall>& walls, const Room
     std::cout << formatted(
         "%zu walls explain %zu of %zu beams, %.1f mm around them (rms), 95 %% "
         "within %.1f mm\n",
-        walls.size(), check.explained, check.beams, check.rms_mm, check.worst_of_95_mm);
+        room.walls.size(), check.explained, check.beams, check.rms_mm, check.worst_of_95_mm);
     if (check.explained < check.beams)
         std::cout << formatted("%zu beams see what is no wall: it is left out\n",
                                check.beams - check.explained);
@@ -66,14 +58,13 @@ void show(const RoomOptions& options, const std::vector<Wall>& walls, const Room
 
 void make_room(const RoomOptions& options) {
     Readings readings = read_readings(std::vector{options.file}, options.stream);
-    complete(*kind_of(readings, options.model).model, readings);
-    const std::vector<Station> stations = stations_of(readings);
-    const Station& station = first_of(stations, readings.files);
-    const std::vector<Wall> walls = walls_of(readings, station);
-    if (walls.empty())
-        throw WrongInput(readings.files + ": no wall is in sight, so there is no room to make");
-    write_to(options.output, [&](std::ostream& out) { write_room(walls, readings, out); });
-    show(options, walls, check_room(walls, readings, station), stations.size());
+    const Kind kind = kind_of(readings, options.model);
+    complete(*kind.model, readings);
+    const Standing standing = look_at(readings);
+    const Room room = room_of(standing);
+    write_to(options.output,
+             [&](std::ostream& out) { write_room(room, readings, *kind.model, out); });
+    show(options, room, standing.stations.size());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <ceres/ceres.h>
 
@@ -20,6 +21,7 @@ struct Seen {
     std::size_t beam;
     double angle_rad;
     double range_m;
+    double deviation_m;  ///< of the middle
 
     [[nodiscard]] Point point() const {
         return {range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
@@ -28,9 +30,9 @@ struct Seen {
 
 using Run = std::vector<Seen>;
 
-/// So far off a line its points may lie: real walls are no planes.
+/// So far off a line its points may lie.
 double tolerance_m(const Seen& seen) {
-    return 0.012 + 0.002 * seen.range_m;
+    return 0.002 + 4.0 * seen.deviation_m;
 }
 
 /// Beams in a row that see something, without a jump.
@@ -39,7 +41,10 @@ std::vector<Run> runs_of(const Readings& readings, const Station& station) {
     std::vector<Run> runs;
     for (std::size_t beam = 0; beam < station.beams.size(); ++beam) {
         if (!station.beams[beam].still) continue;
-        const Seen seen{beam, readings.angle_rad(beam), station.beams[beam].mean_mm * m_per_mm};
+        const Beam& of = station.beams[beam];
+        const double deviation_mm = std::sqrt(of.variance_mm2 / static_cast<double>(of.count));
+        const Seen seen{beam, readings.angle_rad(beam), of.mean_mm * m_per_mm,
+                        deviation_mm * m_per_mm};
         const Seen* const before = runs.empty() ? nullptr : &runs.back().back();
         const bool goes_on = before != nullptr && beam - before->beam <= 2 &&
                              std::abs(seen.range_m - before->range_m) <
@@ -146,6 +151,37 @@ std::vector<Run> merged(const std::vector<Run>& pieces) {
     return whole;
 }
 
+/// How far what some neighbouring beams see lies beyond the wall that was laid through all, at most.
+bool bends(const Run& points, const Wall& wall) {
+    constexpr std::size_t neighbours = 8;
+    constexpr double flat_m = 0.0006;
+    for (std::size_t i = 0; i + neighbours <= points.size(); i += neighbours / 2) {
+        double off_m = 0.0;
+        double deviation_m = 0.0;
+        for (std::size_t k = i; k < i + neighbours; ++k) {
+            off_m += (points[k].range_m - wall.range_m(points[k].angle_rad)) / neighbours;
+            deviation_m += points[k].deviation_m / neighbours;
+        }
+        // Neighbours share a part of their noise.
+        const double of_mean_m = deviation_m * std::sqrt(2.0 / neighbours);
+        if (std::abs(off_m) > flat_m + 3.0 * of_mean_m) return true;
+    }
+    return false;
+}
+
+/// A wall that bends, or that the scanner sees bent, is several planes.
+void add_planes(const Run& points, std::vector<std::pair<Wall, Run>>& planes) {
+    constexpr std::size_t least_beams_of_half = 12;
+    const Wall wall = fitted(points);
+    if (points.size() < 2 * least_beams_of_half || !bends(points, wall)) {
+        planes.emplace_back(wall, points);
+        return;
+    }
+    const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
+    add_planes({points.begin(), middle}, planes);
+    add_planes({middle, points.end()}, planes);
+}
+
 Point at(const Wall& wall, double angle_rad) {
     const double range_m = wall.range_m(angle_rad);
     return {range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
@@ -159,17 +195,52 @@ std::optional<Point> meeting_of(const Wall& a, const Wall& b) {
         (b.distance_m * std::cos(a.normal_rad) - a.distance_m * std::cos(b.normal_rad)) / cross};
 }
 
-void join_corners(std::vector<Wall>& walls, double beam_rad) {
+/// Whether the two meet where their beams do; then they end there.
+bool join_corner(Wall& a, Wall& b, double beam_rad) {
+    const auto corner = meeting_of(a, b);
+    if (!corner) return false;
+    const double room_m = 0.03 + 4.0 * beam_rad * std::hypot(corner->x_m, corner->y_m);
+    const auto near = [&](const Point& end) {
+        return std::hypot(end.x_m - corner->x_m, end.y_m - corner->y_m) < 3.0 * room_m;
+    };
+    if (!near(a.end) || !near(b.begin)) return false;
+    a.end = b.begin = *corner;
+    return true;
+}
+
+/// How much of the beams between two walls falls on the first one, in beams: those that an edge
+/// mixes lie between both.
+double beams_on_first(const Wall& a, const Wall& b, const Readings& readings,
+                      const std::vector<Beam>& beams) {
+    double sum = 0.0;
+    for (std::size_t step = a.last + 1; step < b.first; ++step) {
+        const double angle_rad = readings.angle_rad(step);
+        const double apart_m = b.range_m(angle_rad) - a.range_m(angle_rad);
+        const double seen_m = beams[step].mean_mm * m_per_mm;
+        const double share = (b.range_m(angle_rad) - seen_m) / apart_m;
+        sum += beams[step].count > 0 ? std::clamp(share, 0.0, 1.0) : 0.5;
+    }
+    return sum;
+}
+
+/// The nearer one ends within the beams between them, and the farther one goes on behind it.
+void end_at_edge(Wall& a, Wall& b, const Readings& readings, const std::vector<Beam>& beams) {
+    constexpr double hidden_beams = 3.0;
+    const double last = static_cast<double>(a.last) + 0.5 + beams_on_first(a, b, readings, beams);
+    const double edge_rad = readings.first_rad + readings.beam_rad * last;
+    const double hidden_rad = hidden_beams * readings.beam_rad;
+    const bool a_is_nearer = a.range_m(edge_rad) < b.range_m(edge_rad);
+    a.end = at(a, a_is_nearer ? edge_rad : edge_rad + hidden_rad);
+    b.begin = at(b, a_is_nearer ? edge_rad - hidden_rad : edge_rad);
+}
+
+void join(std::vector<Wall>& walls, const Readings& readings, const std::vector<Beam>& beams) {
+    constexpr std::size_t most_between = 4;
     for (std::size_t i = 0; i + 1 < walls.size(); ++i) {
         Wall& a = walls[i];
         Wall& b = walls[i + 1];
-        const auto corner = meeting_of(a, b);
-        if (!corner || b.first - a.last > 4) continue;
-        const double room_m = 0.03 + 4.0 * beam_rad * std::hypot(corner->x_m, corner->y_m);
-        const auto near = [&](const Point& end) {
-            return std::hypot(end.x_m - corner->x_m, end.y_m - corner->y_m) < 3.0 * room_m;
-        };
-        if (near(a.end) && near(b.begin)) a.end = b.begin = *corner;
+        if (b.first - a.last > most_between) continue;
+        if (!join_corner(a, b, readings.beam_rad)) end_at_edge(a, b, readings, beams);
     }
 }
 
@@ -197,20 +268,24 @@ double Wall::range_m(double angle_rad) const {
 }
 
 std::vector<Wall> walls_of(const Readings& readings, const Station& station) {
-    std::vector<Wall> walls;
+    std::vector<std::pair<Wall, Run>> planes;
     for (const Run& run : runs_of(readings, station)) {
         std::vector<Run> pieces;
         if (run.size() >= least_beams) split(run, 0, run.size() - 1, pieces);
         for (const Run& piece : merged(pieces)) {
-            if (piece.size() < least_beams) continue;
-            Wall wall = fitted(piece);
-            const double half = 0.5 * readings.beam_rad;
-            wall.begin = at(wall, piece.front().angle_rad - half);
-            wall.end = at(wall, piece.back().angle_rad + half);
-            walls.push_back(wall);
+            if (piece.size() >= least_beams) add_planes(piece, planes);
         }
     }
-    join_corners(walls, readings.beam_rad);
+    std::vector<Wall> walls;
+    for (auto& [wall, points] : planes) {
+        // Where the scanner looks no farther, walls go on.
+        const auto beyond = [&](bool at_rim) { return (at_rim ? 3.0 : 0.5) * readings.beam_rad; };
+        const bool is_last = wall.last + 1 == station.beams.size();
+        wall.begin = at(wall, points.front().angle_rad - beyond(wall.first == 0));
+        wall.end = at(wall, points.back().angle_rad + beyond(is_last));
+        walls.push_back(wall);
+    }
+    join(walls, readings, station.beams);
     return walls;
 }
 
