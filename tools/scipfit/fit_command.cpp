@@ -6,8 +6,8 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tools/options.h"
@@ -17,6 +17,7 @@
 #include "tools/scipfit/known_length.h"
 #include "tools/scipfit/profile_yaml.h"
 #include "tools/scipfit/read_readings.h"
+#include "tools/scipfit/room_report.h"
 #include "tools/scipfit/room_sdf.h"
 
 namespace scipd::tools {
@@ -32,14 +33,10 @@ struct FitOptions {
     bool json = false;
 };
 
-/// The profile has the light of a white wall as this room tells it.
-void make_room(const std::string& file, const Standing& standing, Fit& found) {
-    Room room = room_of(standing);
-    write_to(file, [&](std::ostream& out) {
-        write_room(room, *standing.readings, *found.kind.model, out);
-    });
+/// The profile has the light of a white wall as the room tells it.
+void take_light(const Room& room, Fit& found) {
     if (!room.light) return;
-    found.light.by_range = std::move(room.light->white);
+    found.light.by_range = room.light->white;
     found.light.walls_told_apart = true;
 }
 
@@ -48,6 +45,17 @@ std::string room_beside(const FitOptions& options) {
     if (options.room.empty()) return {};
     const auto folder = std::filesystem::absolute(options.output).parent_path();
     return std::filesystem::absolute(options.room).lexically_relative(folder).string();
+}
+
+void tell(const Fit& found, const std::optional<Room>& room, bool json) {
+    if (!json) {
+        show(found, std::cout);
+        if (room) std::cout << as_text(*room);
+        return;
+    }
+    auto document = as_json(found);
+    if (room) document["room"] = as_json(*room);
+    std::cout << document.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
 void fit(const FitOptions& options) {
@@ -59,14 +67,16 @@ void fit(const FitOptions& options) {
     complete(*kind.model, readings);
     const Standing standing = look_at(readings);
     Fit found = fit_scanner(standing, kind, lengths);
-    if (!options.room.empty()) make_room(options.room, standing, found);
+    std::optional<Room> room;
+    if (!options.room.empty()) {
+        room = room_of(standing);
+        take_light(*room, found);
+        write_to(options.room,
+                 [&](std::ostream& out) { write_room(*room, readings, *kind.model, out); });
+    }
     write_to(options.output,
              [&](std::ostream& out) { write_profile(found, room_beside(options), out); });
-    if (options.json)
-        std::cout << as_json(found).dump(2, ' ', true, nlohmann::json::error_handler_t::replace)
-                  << '\n';
-    else
-        show(found, std::cout);
+    tell(found, room, options.json);
 }
 
 }  // namespace

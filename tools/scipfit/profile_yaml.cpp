@@ -187,8 +187,7 @@ void write_profile(const Fit& fit, const std::string& scene, std::ostream& out) 
     if (scene.empty()) return;
     out << "        # assumed: what it reads too far is in the room, which is as it sees it\n"
         << "        bias: none\n";
-    if (!fit.light.noise.empty())
-        out << "        profile: {light: {walk_m: 0, saturation_m: 0}}\n";
+    if (!fit.light.noise.empty()) out << "        profile: {light: {walk_m: 0, saturation_m: 0}}\n";
 }
 
 }  // namespace scipd::tools

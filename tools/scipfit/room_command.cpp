@@ -9,13 +9,11 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "tools/options.h"
 #include "tools/output_file.h"
-#include "tools/scipfit/formatted.h"
 #include "tools/scipfit/fit.h"
 #include "tools/scipfit/read_readings.h"
+#include "tools/scipfit/room_report.h"
 #include "tools/scipfit/room_sdf.h"
 
 namespace scipd::tools {
@@ -29,42 +27,14 @@ struct RoomOptions {
     bool json = false;
 };
 
-void show(const RoomOptions& options, const Room& room, std::size_t stations) {
-    const RoomCheck& check = room.check;
-    if (options.json) {
-        std::cout << nlohmann::ordered_json{{"walls", room.walls.size()},
-                                            {"beams", check.beams},
-                                            {"explained", check.explained},
-                                            {"rms_mm", check.rms_mm},
-                                            {"worst_of_95_mm", check.worst_of_95_mm},
-                                            {"stations", stations}}
-                         .dump(2)
-                  << '\n';
-        return;
-    }
-    std::cout << formatted(
-        "%zu walls explain %zu of %zu beams, %.1f mm around them (rms), 95 %% "
-        "within %.1f mm\n",
-        room.walls.size(), check.explained, check.beams, check.rms_mm, check.worst_of_95_mm);
-    if (check.explained < check.beams)
-        std::cout << formatted("%zu beams see what is no wall: it is left out\n",
-                               check.beams - check.explained);
-    if (stations > 1)
-        std::cout << formatted(
-            "the first of %zu places is taken, where the recording begins to "
-            "stand\n",
-            stations);
-}
-
 void make_room(const RoomOptions& options) {
     Readings readings = read_readings(std::vector{options.file}, options.stream);
     const Kind kind = kind_of(readings, options.model);
     complete(*kind.model, readings);
-    const Standing standing = look_at(readings);
-    const Room room = room_of(standing);
+    const Room room = room_of(look_at(readings));
     write_to(options.output,
              [&](std::ostream& out) { write_room(room, readings, *kind.model, out); });
-    show(options, room, standing.stations.size());
+    std::cout << (options.json ? as_json(room).dump(2) + '\n' : as_text(room));
 }
 
 }  // namespace

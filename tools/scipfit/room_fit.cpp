@@ -14,7 +14,10 @@ Room room_of(const Standing& standing) {
         throw WrongInput(readings.files +
                          ": the scanner moves all the time; record one that stands still");
     const Station& station = *std::ranges::min_element(standing.stations, {}, &Station::first);
-    Room room{.walls = walls_of(readings, station), .check = {}, .light = {}};
+    Room room{.walls = walls_of(readings, station),
+              .check = {},
+              .stations = standing.stations.size(),
+              .light = {}};
     if (room.walls.empty())
         throw WrongInput(readings.files + ": no wall is in sight, so there is no room to make");
     room.check = check_room(room.walls, readings, station);

@@ -17,6 +17,7 @@ namespace scipd::tools {
 struct Room {
     std::vector<Wall> walls;
     RoomCheck check;
+    std::size_t stations = 0;        ///< of which the room is that of the first
     std::optional<RoomLight> light;  ///< where the recording has intensities
 };
 

@@ -106,8 +106,8 @@ void solve(const std::vector<Seen>& seen, const std::vector<double>& knots,
             &parameters.log_white[at]);
     }
     for (double& wall : parameters.log_walls)
-        problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Little, 1, 1>(new Little),
-                                 nullptr, &wall);
+        problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Little, 1, 1>(new Little), nullptr,
+                                 &wall);
     for (std::size_t i = 1; i < knots.size(); ++i)
         problem.AddResidualBlock(
             new ceres::AutoDiffCostFunction<LittleChange, 1, 1, 1>(new LittleChange), nullptr,
@@ -149,8 +149,8 @@ std::optional<RoomLight> light_in(const std::vector<Wall>& walls, const Readings
     for (const double wall : parameters.log_walls)
         light.brightness.push_back(std::exp(wall - white));
     for (std::size_t i = 0; i < knots.size(); ++i)
-        light.white.push_back({knots[i], std::exp(parameters.log_white[i] + white),
-                               seen.size() / knots.size()});
+        light.white.push_back(
+            {knots[i], std::exp(parameters.log_white[i] + white), seen.size() / knots.size()});
     return light;
 }
 

@@ -21,7 +21,7 @@ std::string in_comment(std::string text) {
     return text;
 }
 
-/// SDF has one number for how bright a face is, by the light that it sends back (docs/materials.md).
+/// SDF has one number for how bright a face is: how much light it sends back (docs/materials.md).
 std::string retro_of(double brightness, const sim::Receiver& receiver) {
     const bool by_logarithm = brightness > 1.0 && receiver.log_gain > 0.0;
     const double power =
@@ -46,7 +46,8 @@ void write_wall(const Wall& wall, std::size_t number, int first_step, const std:
                      first_step + static_cast<int>(wall.last), wall.deviation_mm)
         << formatted("    <model name=\"wall_%zu\">\n", number) << "      <static>true</static>\n"
         << formatted("      <pose>%.5f %.5f 0 0 0 %.6f</pose>\n", x, y, yaw)
-        << "      <link name=\"link\"><visual name=\"face\">" << box << retro << "</visual></link>\n"
+        << "      <link name=\"link\"><visual name=\"face\">" << box << retro
+        << "</visual></link>\n"
         << "    </model>\n";
 }
 
@@ -58,9 +59,11 @@ void write_room(const Room& room, const Readings& readings, const daemon::Model&
         << "<!-- Made by scipfit room from " << in_comment(sim::printable(readings.files))
         << ". The scanner is at the origin and looks along x.\n";
     if (room.light)
-        out << "     measured: laser_retro, beside the bright ones of these walls; how bright those "
+        out << "     measured: laser_retro, beside the bright ones of these walls; how bright "
+               "those "
                "are is not known.\n";
-    out << formatted("     assumed: walls are %g m high and %g m thick. -->\n", height_m, thickness_m)
+    out << formatted("     assumed: walls are %g m high and %g m thick. -->\n", height_m,
+                     thickness_m)
         << "<sdf version=\"1.9\">\n  <world name=\"room\">\n";
     for (std::size_t i = 0; i < room.walls.size(); ++i) {
         const std::string retro =

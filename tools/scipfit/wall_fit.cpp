@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include <ceres/ceres.h>
+
+#include "tools/scipfit/wall_ends.h"
 
 namespace scipd::tools {
 namespace {
@@ -96,10 +97,6 @@ struct WallResidual {
     Seen seen;
 };
 
-double angle_between(double a, double b) {
-    return std::remainder(a - b, 2.0 * std::acos(-1.0));
-}
-
 Wall fitted(const Run& points) {
     const Point a = points.front().point();
     const Point b = points.back().point();
@@ -151,7 +148,7 @@ std::vector<Run> merged(const std::vector<Run>& pieces) {
     return whole;
 }
 
-/// How far what some neighbouring beams see lies beyond the wall that was laid through all, at most.
+/// Whether some neighbouring beams see it elsewhere than the wall that was laid through all.
 bool bends(const Run& points, const Wall& wall) {
     constexpr std::size_t neighbours = 8;
     constexpr double flat_m = 0.0006;
@@ -182,68 +179,6 @@ void add_planes(const Run& points, std::vector<std::pair<Wall, Run>>& planes) {
     add_planes({middle, points.end()}, planes);
 }
 
-Point at(const Wall& wall, double angle_rad) {
-    const double range_m = wall.range_m(angle_rad);
-    return {range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
-}
-
-std::optional<Point> meeting_of(const Wall& a, const Wall& b) {
-    const double cross = std::sin(angle_between(b.normal_rad, a.normal_rad));
-    if (std::abs(cross) < 0.2) return std::nullopt;
-    return Point{
-        (a.distance_m * std::sin(b.normal_rad) - b.distance_m * std::sin(a.normal_rad)) / cross,
-        (b.distance_m * std::cos(a.normal_rad) - a.distance_m * std::cos(b.normal_rad)) / cross};
-}
-
-/// Whether the two meet where their beams do; then they end there.
-bool join_corner(Wall& a, Wall& b, double beam_rad) {
-    const auto corner = meeting_of(a, b);
-    if (!corner) return false;
-    const double room_m = 0.03 + 4.0 * beam_rad * std::hypot(corner->x_m, corner->y_m);
-    const auto near = [&](const Point& end) {
-        return std::hypot(end.x_m - corner->x_m, end.y_m - corner->y_m) < 3.0 * room_m;
-    };
-    if (!near(a.end) || !near(b.begin)) return false;
-    a.end = b.begin = *corner;
-    return true;
-}
-
-/// How much of the beams between two walls falls on the first one, in beams: those that an edge
-/// mixes lie between both.
-double beams_on_first(const Wall& a, const Wall& b, const Readings& readings,
-                      const std::vector<Beam>& beams) {
-    double sum = 0.0;
-    for (std::size_t step = a.last + 1; step < b.first; ++step) {
-        const double angle_rad = readings.angle_rad(step);
-        const double apart_m = b.range_m(angle_rad) - a.range_m(angle_rad);
-        const double seen_m = beams[step].mean_mm * m_per_mm;
-        const double share = (b.range_m(angle_rad) - seen_m) / apart_m;
-        sum += beams[step].count > 0 ? std::clamp(share, 0.0, 1.0) : 0.5;
-    }
-    return sum;
-}
-
-/// The nearer one ends within the beams between them, and the farther one goes on behind it.
-void end_at_edge(Wall& a, Wall& b, const Readings& readings, const std::vector<Beam>& beams) {
-    constexpr double hidden_beams = 3.0;
-    const double last = static_cast<double>(a.last) + 0.5 + beams_on_first(a, b, readings, beams);
-    const double edge_rad = readings.first_rad + readings.beam_rad * last;
-    const double hidden_rad = hidden_beams * readings.beam_rad;
-    const bool a_is_nearer = a.range_m(edge_rad) < b.range_m(edge_rad);
-    a.end = at(a, a_is_nearer ? edge_rad : edge_rad + hidden_rad);
-    b.begin = at(b, a_is_nearer ? edge_rad - hidden_rad : edge_rad);
-}
-
-void join(std::vector<Wall>& walls, const Readings& readings, const std::vector<Beam>& beams) {
-    constexpr std::size_t most_between = 4;
-    for (std::size_t i = 0; i + 1 < walls.size(); ++i) {
-        Wall& a = walls[i];
-        Wall& b = walls[i + 1];
-        if (b.first - a.last > most_between) continue;
-        if (!join_corner(a, b, readings.beam_rad)) end_at_edge(a, b, readings, beams);
-    }
-}
-
 /// Where a beam meets a wall between its ends.
 double first_range_m(const std::vector<Wall>& walls, double angle_rad) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -263,10 +198,6 @@ double first_range_m(const std::vector<Wall>& walls, double angle_rad) {
 
 }  // namespace
 
-double Wall::range_m(double angle_rad) const {
-    return distance_m / std::cos(angle_rad - normal_rad);
-}
-
 std::vector<Wall> walls_of(const Readings& readings, const Station& station) {
     std::vector<std::pair<Wall, Run>> planes;
     for (const Run& run : runs_of(readings, station)) {
@@ -277,15 +208,9 @@ std::vector<Wall> walls_of(const Readings& readings, const Station& station) {
         }
     }
     std::vector<Wall> walls;
-    for (auto& [wall, points] : planes) {
-        // Where the scanner looks no farther, walls go on.
-        const auto beyond = [&](bool at_rim) { return (at_rim ? 3.0 : 0.5) * readings.beam_rad; };
-        const bool is_last = wall.last + 1 == station.beams.size();
-        wall.begin = at(wall, points.front().angle_rad - beyond(wall.first == 0));
-        wall.end = at(wall, points.back().angle_rad + beyond(is_last));
+    for (const auto& [wall, points] : planes)
         walls.push_back(wall);
-    }
-    join(walls, readings, station.beams);
+    find_ends(walls, readings, station.beams);
     return walls;
 }
 

@@ -73,7 +73,7 @@ TEST(Room, IsAWorldWithAWallForEach) {
     Seen seen = room_of({}, {});
     seen.readings.files = "a--b.mcap";
     std::ostringstream out;
-    write_room({.walls = seen.walls, .check = {}, .light = {}}, seen.readings,
+    write_room({.walls = seen.walls, .check = {}, .stations = 1, .light = {}}, seen.readings,
                daemon::find_model("UST-10LX"), out);
     const std::string text = out.str();
     EXPECT_THAT(text, HasSubstr("a- b.mcap"));
