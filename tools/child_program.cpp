@@ -46,6 +46,11 @@ std::string content_of(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::filesystem::path program_beside(const std::string& name) {
+    std::error_code error;
+    return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / name;
+}
+
 ChildProgram::ChildProgram(const std::vector<std::string>& command,
                            const std::filesystem::path& directory, const std::string& name)
     : output_(directory / (name + ".out")), errors_(directory / (name + ".err")) {

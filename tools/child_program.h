@@ -14,6 +14,9 @@
 
 namespace scipd::tools {
 
+/// The program of this name in the folder of the one that runs: in a build as in an installation.
+[[nodiscard]] std::filesystem::path program_beside(const std::string& name);
+
 class ChildProgram {
   public:
     /// Its output and errors go to files in `directory` that are called like this. Throws

@@ -26,4 +26,8 @@ bool stderr_is_terminal() {
     return isatty(STDERR_FILENO) != 0;
 }
 
+bool somebody_answers() {
+    return stderr_is_terminal() && isatty(STDIN_FILENO) != 0;
+}
+
 }  // namespace scipd::tools

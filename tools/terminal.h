@@ -17,4 +17,7 @@ struct TerminalSize {
 /// Whether somebody may be watching what is told beside the results.
 [[nodiscard]] bool stderr_is_terminal();
 
+/// Whether a person can be asked something on standard error, and answer on standard input.
+[[nodiscard]] bool somebody_answers();
+
 }  // namespace scipd::tools

@@ -27,6 +27,8 @@ CASES = [
     ("scipcat plot x --color ", ["distance", "intensity", "material", "error"], ["--color"]),
     ("scipcat ", ["info", "record", "plot", "compare", "check", "completion"], ["--baud"]),
     ("scipcat check --", ["--section", "--unsafe", "--junit", "--html", "--json"], ["--color"]),
+    ("scipcat tw", ["twin"], ["truth"]),
+    ("scipcat twin --", ["--output", "--seconds", "--json"], ["--scans"]),
     ("scipcat compare --", ["--no-fit", "--stream-a", "--output", "--json"], ["--color"]),
     ("scipcat plot --in", ["--intensity"], ["info"]),
     ("scipctl pose p", ["play"], ["get"]),

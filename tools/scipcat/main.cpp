@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     scipd::tools::add_compare_command(program);
     scipd::tools::add_check_command(program);
     scipd::tools::add_proxy_command(program);
+    scipd::tools::add_twin_command(program);
     scipd::tools::add_completion_command(
         program, {{"/plot/--truth", "$(scipctl sensors --names 2>/dev/null)"}});
     return scipd::tools::run(program, argc, argv);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 #include <cstdint>
-#include <exception>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -9,10 +8,8 @@
 
 #include "sim/recording/create_recording.h"
 #include "tools/options.h"
-#include "tools/scipcat/live_recording.h"
-#include "tools/scipcat/running_stream.h"
+#include "tools/scipcat/record_scans.h"
 #include "tools/scipcat/scan_options.h"
-#include "tools/scipcat/scan_progress.h"
 #include "tools/scipcat/scipcat_commands.h"
 
 namespace scipd::tools {
@@ -28,51 +25,19 @@ struct RecordOptions {
     Compression compression = Compression::zstd;
 };
 
-/// Until there are enough scans, the user has enough, or the scanner is gone: then its Error is
-/// returned.
-std::exception_ptr copy_scans(ConnectedScanner& scanner, LiveRecording& recording) {
-    ScanProgress progress;
-    try {
-        while (!recording.has_all()) {
-            (void)scanner.driver().next_scan();
-            recording.write();
-            progress.tell(recording.scans());
-        }
-    } catch (const Interrupted&) {
-    } catch (const protocol::client::Error&) {
-        return std::current_exception();
-    }
-    return nullptr;
-}
-
-void report(const LiveRecording& recording, ConnectedScanner& scanner, const std::string& file) {
-    const std::uint64_t count = recording.scans();
-    std::cerr << count << (count == 1 ? " scan" : " scans") << " recorded to " << file;
-    if (const std::size_t damaged = scanner.driver().damaged_scans(); damaged > 0) {
-        std::cerr << "; " << damaged << " came damaged and were left out";
-    }
+void report(const Recorded& recorded, const std::string& file) {
+    std::cerr << recorded.scans << (recorded.scans == 1 ? " scan" : " scans") << " recorded to "
+              << file;
+    if (recorded.damaged > 0)
+        std::cerr << "; " << recorded.damaged << " came damaged and were left out";
     std::cerr << '\n';
 }
 
 void record(const RecordOptions& options) {
-    LiveRecording recording(options.scans);
-    ConnectedScanner scanner = options.connection.open(
-        [&](bool to_scanner, std::string_view bytes) { recording.hear(to_scanner, bytes); });
-    (void)scanner.driver().state();  // it belongs to what the recording says of the scanner
-    const auto request = options.scan.request(scanner.parameters());
-    recording.forget_scans();
-    std::exception_ptr trouble;
-    {
-        const RunningStream stream(scanner.driver(), request);
-        scanner.transport().interrupt_on_signals();
-        recording.write_to(sim::create_recording(
-            options.file, recording.identity(),
-            {.name = "scipcat", .version = SCIPD_VERSION, .compression = options.compression}));
-        trouble = copy_scans(scanner, recording);
-    }
-    recording.finish();
-    if (trouble) std::rethrow_exception(trouble);
-    report(recording, scanner, options.file);
+    const Recorded recorded =
+        record_scans(options.connection, options.scan, {.scans = options.scans, .seconds = {}},
+                     options.file, options.compression);
+    report(recorded, options.file);
 }
 
 std::map<std::string, Compression> compression_names() {

@@ -24,4 +24,7 @@ void add_check_command(CLI::App& program);
 /// `scipcat proxy TARGET --listen ADDR:PORT|--pty LINK`: stands between a driver and a scanner.
 void add_proxy_command(CLI::App& program);
 
+/// `scipcat twin TARGET -o DIR/`: makes of a scanner one that scipd runs, where it stands.
+void add_twin_command(CLI::App& program);
+
 }  // namespace scipd::tools

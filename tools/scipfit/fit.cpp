@@ -79,8 +79,8 @@ Standing look_at(const Readings& readings) {
     return standing;
 }
 
-Fit fit_scanner(const Readings& readings, const Kind& kind, const std::vector<Length>& lengths) {
-    const Standing standing = look_at(readings);
+Fit fit_scanner(const Standing& standing, const Kind& kind, const std::vector<Length>& lengths) {
+    const Readings& readings = *standing.readings;
     Fit fit{.kind = kind, .files = readings.files, .all_scans = readings.scans()};
     for (const Station& station : standing.stations)
         fit.scans += station.scans();

@@ -42,11 +42,12 @@ struct Fit {
     Unknowns unknown;
 };
 
-/// The readings must be complete (kind.h). Throws WrongInput where a length cannot be.
-[[nodiscard]] Fit fit_scanner(const Readings& readings, const Kind& kind,
-                              const std::vector<Length>& lengths);
-
-/// The parts of a recording that estimates need.
+/// The parts of a recording that estimates need. The readings must be complete (kind.h), and
+/// outlive it.
 [[nodiscard]] Standing look_at(const Readings& readings);
+
+/// Throws WrongInput where a length cannot be.
+[[nodiscard]] Fit fit_scanner(const Standing& standing, const Kind& kind,
+                              const std::vector<Length>& lengths);
 
 }  // namespace scipd::tools

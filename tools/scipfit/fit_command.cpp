@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@
 #include "tools/scipfit/known_length.h"
 #include "tools/scipfit/profile_yaml.h"
 #include "tools/scipfit/read_readings.h"
+#include "tools/scipfit/room_report.h"
+#include "tools/scipfit/room_sdf.h"
 
 namespace scipd::tools {
 namespace {
@@ -26,8 +29,34 @@ struct FitOptions {
     std::string model;
     std::vector<std::string> lengths;
     std::string output;
+    std::string room;
     bool json = false;
 };
+
+/// The profile has the light of a white wall as the room tells it.
+void take_light(const Room& room, Fit& found) {
+    if (!room.light) return;
+    found.light.by_range = room.light->white;
+    found.light.walls_told_apart = true;
+}
+
+/// The room as the profile names it: a configuration names files from where it lies.
+std::string room_beside(const FitOptions& options) {
+    if (options.room.empty()) return {};
+    const auto folder = std::filesystem::absolute(options.output).parent_path();
+    return std::filesystem::absolute(options.room).lexically_relative(folder).string();
+}
+
+void tell(const Fit& found, const std::optional<Room>& room, bool json) {
+    if (!json) {
+        show(found, std::cout);
+        if (room) std::cout << as_text(*room);
+        return;
+    }
+    auto document = as_json(found);
+    if (room) document["room"] = as_json(*room);
+    std::cout << document.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) << '\n';
+}
 
 void fit(const FitOptions& options) {
     std::vector<Length> lengths;
@@ -36,13 +65,18 @@ void fit(const FitOptions& options) {
     Readings readings = read_readings(options.files, options.stream);
     const Kind kind = kind_of(readings, options.model);
     complete(*kind.model, readings);
-    const Fit found = fit_scanner(readings, kind, lengths);
-    write_to(options.output, [&](std::ostream& out) { write_profile(found, "", out); });
-    if (options.json)
-        std::cout << as_json(found).dump(2, ' ', true, nlohmann::json::error_handler_t::replace)
-                  << '\n';
-    else
-        show(found, std::cout);
+    const Standing standing = look_at(readings);
+    Fit found = fit_scanner(standing, kind, lengths);
+    std::optional<Room> room;
+    if (!options.room.empty()) {
+        room = room_of(standing);
+        take_light(*room, found);
+        write_to(options.room,
+                 [&](std::ostream& out) { write_room(*room, readings, *kind.model, out); });
+    }
+    write_to(options.output,
+             [&](std::ostream& out) { write_profile(found, room_beside(options), out); });
+    tell(found, room, options.json);
 }
 
 }  // namespace
@@ -56,6 +90,12 @@ void add_fit_options(CLI::App& program) {
         .add_option("-o,--output", options->output,
                     "the profile: a configuration for scipd, with what each value is from")
         ->type_name("FILE.yaml")
+        ->check(can_be_written);
+    program
+        .add_option("--room", options->room,
+                    "also make the room, and have the profile stand in it: a twin of the scanner "
+                    "where it stood")
+        ->type_name("FILE.sdf")
         ->check(can_be_written);
     program.add_option("--stream", options->stream,
                        "which scanner, of recordings of several; default: the first");

@@ -26,6 +26,7 @@ struct LightAt {
 struct LightFit {
     std::vector<LightNoise> noise;  ///< by growing intensity
     std::vector<LightAt> by_range;  ///< by growing range
+    bool walls_told_apart = false;  ///< by_range is that of a bright wall among those of a room
 };
 
 /// Empty where the recording has no intensities.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <ostream>
 
+#include <nlohmann/json.hpp>
+
 #include "sim/text/quote.h"
 #include "tools/scipfit/formatted.h"
 
@@ -138,7 +140,10 @@ class Writer {
         for (const LightAt& one : fit_.light.by_range)
             line(formatted("    - {range_m: %.3f, intensity: %.0f}", one.range_mm / 1000,
                            one.intensity),
-                 measured(formatted("%zu beams, as if all walls were white", one.beams)));
+                 measured(formatted(fit_.light.walls_told_apart
+                                        ? "%zu beams, of walls that are bright among these"
+                                        : "%zu beams, as if all walls were white",
+                                    one.beams)));
         out_ << "      intensity_noise:\n";
         for (const LightNoise& one : fit_.light.noise)
             line(formatted("    - {intensity: %.1f, share: %.4f}", one.intensity, one.share.value),
@@ -172,13 +177,17 @@ void write_profile(const Fit& fit, const std::string& scene, std::ostream& out) 
     for (const Unknown& one : fit.unknown)
         out << "# unknown: " << one.parameter << ": " << one.why
             << ". Would tell: " << one.would_tell << ".\n";
-    if (!scene.empty()) out << "scene: " << scene << '\n';
+    if (!scene.empty()) out << "scene: " << nlohmann::json(scene).dump() << '\n';
     out << "models:\n  fitted:\n";
     Writer(fit, out).write_model();
     out << "robots:\n  robot:\n    sensors:\n      scanner:\n"
         << "        model: fitted\n"
         << "        tcp: 127.0.0.1:10940\n"
         << "        accuracy: " << (fit.light.noise.empty() ? "sensor" : "material") << '\n';
+    if (scene.empty()) return;
+    out << "        # assumed: what it reads too far is in the room, which is as it sees it\n"
+        << "        bias: none\n";
+    if (!fit.light.noise.empty()) out << "        profile: {light: {walk_m: 0, saturation_m: 0}}\n";
 }
 
 }  // namespace scipd::tools

@@ -12,7 +12,8 @@
 
 namespace scipd::tools {
 
-/// `scene`: the file of a world, as the configuration names it; empty: scipd's own.
+/// `scene`: the room that was made of the same recording, as the configuration names it; empty:
+/// scipd's own world.
 void write_profile(const Fit& fit, const std::string& scene, std::ostream& out);
 
 }  // namespace scipd::tools

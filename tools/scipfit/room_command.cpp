@@ -2,7 +2,6 @@
 // Copyright The scipd authors
 #include "tools/scipfit/room_command.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -10,13 +9,11 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "tools/options.h"
 #include "tools/output_file.h"
-#include "tools/scipfit/formatted.h"
-#include "tools/scipfit/kind.h"
+#include "tools/scipfit/fit.h"
 #include "tools/scipfit/read_readings.h"
+#include "tools/scipfit/room_report.h"
 #include "tools/scipfit/room_sdf.h"
 
 namespace scipd::tools {
@@ -30,50 +27,14 @@ struct RoomOptions {
     bool json = false;
 };
 
-/// Where the recording begins to stand.
-const Station& first_of(const std::vector<Station>& stations, const std::string& files) {
-    if (stations.empty())
-        throw WrongInput(files + ": the scanner moves all the time; record one that stands still");
-    return *std::ranges::min_element(stations, {}, &Station::first);
-}
-
-void show(const RoomOptions& options, const std::vector<Wall>& walls, const RoomCheck& check,
-          std::size_t stations) {
-    if (options.json) {
-        std::cout << nlohmann::ordered_json{{"walls", walls.size()},
-                                            {"beams", check.beams},
-                                            {"explained", check.explained},
-                                            {"rms_mm", check.rms_mm},
-                                            {"worst_of_95_mm", check.worst_of_95_mm},
-                                            {"stations", stations}}
-                         .dump(2)
-                  << '\n';
-        return;
-    }
-    std::cout << formatted(
-        "%zu walls explain %zu of %zu beams, %.1f mm around them (rms), 95 %% "
-        "within %.1f mm\n",
-        walls.size(), check.explained, check.beams, check.rms_mm, check.worst_of_95_mm);
-    if (check.explained < check.beams)
-        std::cout << formatted("%zu beams see what is no wall: it is left out\n",
-                               check.beams - check.explained);
-    if (stations > 1)
-        std::cout << formatted(
-            "the first of %zu places is taken, where the recording begins to "
-            "stand\n",
-            stations);
-}
-
 void make_room(const RoomOptions& options) {
     Readings readings = read_readings(std::vector{options.file}, options.stream);
-    complete(*kind_of(readings, options.model).model, readings);
-    const std::vector<Station> stations = stations_of(readings);
-    const Station& station = first_of(stations, readings.files);
-    const std::vector<Wall> walls = walls_of(readings, station);
-    if (walls.empty())
-        throw WrongInput(readings.files + ": no wall is in sight, so there is no room to make");
-    write_to(options.output, [&](std::ostream& out) { write_room(walls, readings, out); });
-    show(options, walls, check_room(walls, readings, station), stations.size());
+    const Kind kind = kind_of(readings, options.model);
+    complete(*kind.model, readings);
+    const Room room = room_of(look_at(readings));
+    write_to(options.output,
+             [&](std::ostream& out) { write_room(room, readings, *kind.model, out); });
+    std::cout << (options.json ? as_json(room).dump(2) + '\n' : as_text(room));
 }
 
 }  // namespace

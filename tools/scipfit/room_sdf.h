@@ -5,15 +5,15 @@
 #pragma once
 
 #include <iosfwd>
-#include <string>
-#include <vector>
 
-#include "tools/scipfit/wall_fit.h"
+#include "tools/scipfit/kind.h"
+#include "tools/scipfit/room_fit.h"
 
 namespace scipd::tools {
 
 /// The scanner is at the origin, in the middle of the walls' height. `readings`: where they are
-/// from.
-void write_room(const std::vector<Wall>& walls, const Readings& readings, std::ostream& out);
+/// from; `model`: how its receiver tells what is brighter than white.
+void write_room(const Room& room, const Readings& readings, const daemon::Model& model,
+                std::ostream& out);
 
 }  // namespace scipd::tools

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <utility>
 
 #include <ceres/ceres.h>
+
+#include "tools/scipfit/wall_ends.h"
 
 namespace scipd::tools {
 namespace {
@@ -20,6 +22,7 @@ struct Seen {
     std::size_t beam;
     double angle_rad;
     double range_m;
+    double deviation_m;  ///< of the middle
 
     [[nodiscard]] Point point() const {
         return {range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
@@ -28,9 +31,9 @@ struct Seen {
 
 using Run = std::vector<Seen>;
 
-/// So far off a line its points may lie: real walls are no planes.
+/// So far off a line its points may lie.
 double tolerance_m(const Seen& seen) {
-    return 0.012 + 0.002 * seen.range_m;
+    return 0.002 + 4.0 * seen.deviation_m;
 }
 
 /// Beams in a row that see something, without a jump.
@@ -39,7 +42,10 @@ std::vector<Run> runs_of(const Readings& readings, const Station& station) {
     std::vector<Run> runs;
     for (std::size_t beam = 0; beam < station.beams.size(); ++beam) {
         if (!station.beams[beam].still) continue;
-        const Seen seen{beam, readings.angle_rad(beam), station.beams[beam].mean_mm * m_per_mm};
+        const Beam& of = station.beams[beam];
+        const double deviation_mm = std::sqrt(of.variance_mm2 / static_cast<double>(of.count));
+        const Seen seen{beam, readings.angle_rad(beam), of.mean_mm * m_per_mm,
+                        deviation_mm * m_per_mm};
         const Seen* const before = runs.empty() ? nullptr : &runs.back().back();
         const bool goes_on = before != nullptr && beam - before->beam <= 2 &&
                              std::abs(seen.range_m - before->range_m) <
@@ -90,10 +96,6 @@ struct WallResidual {
 
     Seen seen;
 };
-
-double angle_between(double a, double b) {
-    return std::remainder(a - b, 2.0 * std::acos(-1.0));
-}
 
 Wall fitted(const Run& points) {
     const Point a = points.front().point();
@@ -146,31 +148,35 @@ std::vector<Run> merged(const std::vector<Run>& pieces) {
     return whole;
 }
 
-Point at(const Wall& wall, double angle_rad) {
-    const double range_m = wall.range_m(angle_rad);
-    return {range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
-}
-
-std::optional<Point> meeting_of(const Wall& a, const Wall& b) {
-    const double cross = std::sin(angle_between(b.normal_rad, a.normal_rad));
-    if (std::abs(cross) < 0.2) return std::nullopt;
-    return Point{
-        (a.distance_m * std::sin(b.normal_rad) - b.distance_m * std::sin(a.normal_rad)) / cross,
-        (b.distance_m * std::cos(a.normal_rad) - a.distance_m * std::cos(b.normal_rad)) / cross};
-}
-
-void join_corners(std::vector<Wall>& walls, double beam_rad) {
-    for (std::size_t i = 0; i + 1 < walls.size(); ++i) {
-        Wall& a = walls[i];
-        Wall& b = walls[i + 1];
-        const auto corner = meeting_of(a, b);
-        if (!corner || b.first - a.last > 4) continue;
-        const double room_m = 0.03 + 4.0 * beam_rad * std::hypot(corner->x_m, corner->y_m);
-        const auto near = [&](const Point& end) {
-            return std::hypot(end.x_m - corner->x_m, end.y_m - corner->y_m) < 3.0 * room_m;
-        };
-        if (near(a.end) && near(b.begin)) a.end = b.begin = *corner;
+/// Whether some neighbouring beams see it elsewhere than the wall that was laid through all.
+bool bends(const Run& points, const Wall& wall) {
+    constexpr std::size_t neighbours = 8;
+    constexpr double flat_m = 0.0006;
+    for (std::size_t i = 0; i + neighbours <= points.size(); i += neighbours / 2) {
+        double off_m = 0.0;
+        double deviation_m = 0.0;
+        for (std::size_t k = i; k < i + neighbours; ++k) {
+            off_m += (points[k].range_m - wall.range_m(points[k].angle_rad)) / neighbours;
+            deviation_m += points[k].deviation_m / neighbours;
+        }
+        // Neighbours share a part of their noise.
+        const double of_mean_m = deviation_m * std::sqrt(2.0 / neighbours);
+        if (std::abs(off_m) > flat_m + 3.0 * of_mean_m) return true;
     }
+    return false;
+}
+
+/// A wall that bends, or that the scanner sees bent, is several planes.
+void add_planes(const Run& points, std::vector<std::pair<Wall, Run>>& planes) {
+    constexpr std::size_t least_beams_of_half = 12;
+    const Wall wall = fitted(points);
+    if (points.size() < 2 * least_beams_of_half || !bends(points, wall)) {
+        planes.emplace_back(wall, points);
+        return;
+    }
+    const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
+    add_planes({points.begin(), middle}, planes);
+    add_planes({middle, points.end()}, planes);
 }
 
 /// Where a beam meets a wall between its ends.
@@ -192,25 +198,19 @@ double first_range_m(const std::vector<Wall>& walls, double angle_rad) {
 
 }  // namespace
 
-double Wall::range_m(double angle_rad) const {
-    return distance_m / std::cos(angle_rad - normal_rad);
-}
-
 std::vector<Wall> walls_of(const Readings& readings, const Station& station) {
-    std::vector<Wall> walls;
+    std::vector<std::pair<Wall, Run>> planes;
     for (const Run& run : runs_of(readings, station)) {
         std::vector<Run> pieces;
         if (run.size() >= least_beams) split(run, 0, run.size() - 1, pieces);
         for (const Run& piece : merged(pieces)) {
-            if (piece.size() < least_beams) continue;
-            Wall wall = fitted(piece);
-            const double half = 0.5 * readings.beam_rad;
-            wall.begin = at(wall, piece.front().angle_rad - half);
-            wall.end = at(wall, piece.back().angle_rad + half);
-            walls.push_back(wall);
+            if (piece.size() >= least_beams) add_planes(piece, planes);
         }
     }
-    join_corners(walls, readings.beam_rad);
+    std::vector<Wall> walls;
+    for (const auto& [wall, points] : planes)
+        walls.push_back(wall);
+    find_ends(walls, readings, station.beams);
     return walls;
 }
 

@@ -9,25 +9,9 @@
 #include <vector>
 
 #include "tools/scipfit/standing.h"
+#include "tools/scipfit/wall.h"
 
 namespace scipd::tools {
-
-struct Point {
-    double x_m = 0.0;
-    double y_m = 0.0;
-};
-
-struct Wall {
-    double normal_rad = 0.0;    ///< the direction in which the wall is nearest...
-    double distance_m = 0.0;    ///< ...and how far that is
-    Point begin, end;           ///< counter-clockwise
-    std::size_t first = 0;      ///< the beams that see it: first...
-    std::size_t last = 0;       ///< ...and last
-    double deviation_mm = 0.0;  ///< of the middles of its beams
-
-    /// What a beam in this direction reads of the endless wall.
-    [[nodiscard]] double range_m(double angle_rad) const;
-};
 
 /// By split and merge, each refined by least squares that a few wrong beams do not move. Corners
 /// are where walls meet.

@@ -32,7 +32,7 @@ const daemon::Model& ust() {
 }
 
 Fit fit(const Readings& readings, const std::vector<tools::Length>& lengths = {}) {
-    return tools::fit_scanner(readings, tools::kind_of(readings, ""), lengths);
+    return tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""), lengths);
 }
 
 std::vector<std::string> unknown_of(const Fit& fit) {

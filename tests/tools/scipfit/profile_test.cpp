@@ -24,7 +24,7 @@ Fit fit_of(const char* model, bool with_light) {
     tools::Readings readings = scanner.begin();
     scanner.stand({.x_m = 0.3, .y_m = 0.2}, 80, readings);
     end_recording(readings);
-    return tools::fit_scanner(readings, tools::kind_of(readings, ""), {});
+    return tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""), {});
 }
 
 std::string profile_of(const Fit& fit) {
@@ -78,7 +78,7 @@ TEST(Profile, IsSoundWhereNothingIsKnown) {
     tools::Readings readings = scanner.begin();
     scanner.stand({}, 10, readings);
     end_recording(readings);
-    const Fit fit = tools::fit_scanner(readings, tools::kind_of(readings, ""), {});
+    const Fit fit = tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""), {});
     const auto& model = daemon::find_model("UST-10LX");
     EXPECT_EQ(optics_of(profile_of(fit)).noise_law, model.optics.noise_law);
 }

@@ -28,10 +28,10 @@ struct Seen {
     std::vector<Wall> walls;
 };
 
-Seen room_of(const Room& room, const Place& place) {
+Seen room_of(const Room& room, const Place& place, bool with_light = false) {
     daemon::Model model = daemon::find_model("UST-10LX");
     model.optics.bias = {{1.0, 0.0}};
-    SyntheticScanner scanner(model, room, false, 4);
+    SyntheticScanner scanner(model, room, with_light, 4);
     Seen seen{.readings = scanner.begin(), .station = {}, .walls = {}};
     scanner.stand(place, 100, seen.readings);
     end_recording(seen.readings);
@@ -73,13 +73,36 @@ TEST(Room, IsAWorldWithAWallForEach) {
     Seen seen = room_of({}, {});
     seen.readings.files = "a--b.mcap";
     std::ostringstream out;
-    write_room(seen.walls, seen.readings, out);
+    write_room({.walls = seen.walls, .check = {}, .stations = 1, .light = {}}, seen.readings,
+               daemon::find_model("UST-10LX"), out);
     const std::string text = out.str();
     EXPECT_THAT(text, HasSubstr("a- b.mcap"));
     std::size_t models = 0;
     for (auto at = text.find("<model "); at != text.npos; at = text.find("<model ", at + 1))
         ++models;
     EXPECT_EQ(models, seen.walls.size());
+}
+
+/// The wall whose face is so far, and how bright it is.
+double brightness_at(const Seen& seen, double distance_m) {
+    const auto light = light_in(seen.walls, seen.readings, seen.station);
+    for (std::size_t i = 0; light && i < seen.walls.size(); ++i) {
+        if (std::abs(seen.walls[i].distance_m - distance_m) < 0.02) return light->brightness[i];
+    }
+    ADD_FAILURE() << "no wall at " << distance_m << " m";
+    return 0.0;
+}
+
+// The front wall sends back 0.9 of the light, the left one 0.7 and the right one 0.3.
+TEST(Room, TellsDarkWallsFromBrightOnes) {
+    const Seen seen = room_of({}, {.x_m = 0.5, .y_m = 0.2}, true);
+    EXPECT_NEAR(brightness_at(seen, 1.8) / brightness_at(seen, 2.5), 0.7 / 0.9, 0.01);
+    EXPECT_NEAR(brightness_at(seen, 2.2) / brightness_at(seen, 2.5), 0.3 / 0.9, 0.01);
+}
+
+TEST(Room, HasNoBrightnessWithoutIntensities) {
+    const Seen seen = room_of({}, {});
+    EXPECT_FALSE(light_in(seen.walls, seen.readings, seen.station).has_value());
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ void make_round_trip(std::uint64_t seed, RoundTrip& result) {
     const bool with_light = sort == Sort::light;
     const daemon::Model model = some_model(sort, choice);
     const Readings readings = some_readings(model, with_light, choice, seed);
-    const Fit fit = tools::fit_scanner(readings, tools::kind_of(readings, ""), {});
+    const Fit fit = tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""), {});
     Judge judge(fit, model, result);
     judge.judge_law(with_light);
     judge.judge_rest();

@@ -2,10 +2,7 @@
 // Copyright The scipd authors
 #include "tools/scipcat/proxy/twin_daemon.h"
 
-#include <cerrno>
 #include <chrono>
-#include <cstdlib>
-#include <system_error>
 #include <thread>
 
 #include <nlohmann/json.hpp>
@@ -19,19 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-/// Beside this program, in a build as in an installation.
-fs::path scipd_beside() {
-    std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error).parent_path() / "scipd";
-}
-
-fs::path new_folder() {
-    std::string pattern = fs::temp_directory_path() / "scipcat-twin-XXXXXX";
-    if (::mkdtemp(pattern.data()) == nullptr)
-        throw std::system_error(errno, std::generic_category(), pattern);
-    return pattern;
-}
-
 std::string without_end(std::string text) {
     while (text.ends_with('\n'))
         text.pop_back();
@@ -40,26 +24,22 @@ std::string without_end(std::string text) {
 
 }  // namespace
 
-TwinDaemon::TwinDaemon(const fs::path& configuration) : folder_(new_folder()) {
-    const std::vector<std::string> command{
-        scipd_beside(), "--config", configuration, "--free-ports",
-        "--http",       "none",     "--control",   folder_ / "control.sock",
-        "--log-level",  "error"};
-    scipd_ = std::make_unique<ChildProgram>(command, folder_, "scipd");
-    try {
-        wait_until_ready(configuration);
-    } catch (...) {
-        scipd_.reset();
-        fs::remove_all(folder_);
-        throw;
-    }
+TwinDaemon::TwinDaemon(const fs::path& configuration) : folder_("scipcat-twin") {
+    const std::vector<std::string> command{program_beside("scipd"),
+                                           "--config",
+                                           configuration,
+                                           "--free-ports",
+                                           "--http",
+                                           "none",
+                                           "--control",
+                                           folder_.path() / "control.sock",
+                                           "--log-level",
+                                           "error"};
+    scipd_ = std::make_unique<ChildProgram>(command, folder_.path(), "scipd");
+    wait_until_ready(configuration);
 }
 
-TwinDaemon::~TwinDaemon() {
-    scipd_.reset();
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-}
+TwinDaemon::~TwinDaemon() = default;
 
 void TwinDaemon::wait_until_ready(const fs::path& configuration) {
     constexpr auto patience = 120s;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tools/target.h"
+#include "tools/temporary_folder.h"
 
 namespace scipd::tools {
 
@@ -30,7 +31,7 @@ class TwinDaemon {
   private:
     void wait_until_ready(const std::filesystem::path& configuration);
 
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
     std::unique_ptr<ChildProgram> scipd_;
     Target target_;
 };

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/options.h"
+#include "tools/scipcat/run_scipfit.h"
+#include "tools/scipcat/scan_options.h"
+#include "tools/scipcat/scipcat_commands.h"
+#include "tools/scipcat/twin_recordings.h"
+
+namespace scipd::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TwinOptions {
+    ConnectionOptions connection;
+    fs::path folder;
+    double seconds = 10.0;
+    bool json = false;
+};
+
+/// All that is written, but for the recordings.
+struct TwinFiles {
+    fs::path configuration;
+    fs::path room;
+};
+
+std::vector<std::string> words_for(const std::vector<fs::path>& recordings, const TwinFiles& files,
+                                   bool json) {
+    std::vector<std::string> words(recordings.begin(), recordings.end());
+    for (const auto& [option, file] :
+         {std::pair{"--output", files.configuration}, std::pair{"--room", files.room}})
+        words.insert(words.end(), {option, file.string()});
+    if (json) words.emplace_back("--json");
+    return words;
+}
+
+std::string as_json(const std::vector<fs::path>& recordings, const TwinFiles& files,
+                    const std::string& fit) {
+    nlohmann::ordered_json document{{"twin", files.configuration.string()},
+                                    {"room", files.room.string()}};
+    for (const fs::path& recording : recordings)
+        document["recordings"].push_back(recording.string());
+    document["fit"] = nlohmann::ordered_json::parse(fit);
+    return document.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+void tell_what_to_do(const std::vector<fs::path>& recordings, const TwinFiles& files) {
+    std::cout << "the twin: scipd --config " << files.configuration.string()
+              << "\nhow good it is: scipcat compare " << recordings.front().string()
+              << " tcp://127.0.0.1:10940\n";
+}
+
+void make_twin(const TwinOptions& options) {
+    require_scipfit();
+    std::error_code error;
+    fs::create_directories(options.folder, error);
+    if (error) throw WrongInput(options.folder.string() + ": cannot be made: " + error.message());
+    const auto recordings = record_for_twin(options.connection, options.seconds, options.folder);
+    const TwinFiles files{options.folder / "twin.yaml", options.folder / "room.sdf"};
+    const std::string fit = run_scipfit(words_for(recordings, files, options.json));
+    if (options.json) {
+        std::cout << as_json(recordings, files, fit);
+        return;
+    }
+    std::cout << fit;
+    tell_what_to_do(recordings, files);
+}
+
+}  // namespace
+
+void add_twin_command(CLI::App& program) {
+    auto* const command = program.add_subcommand(
+        "twin", "make of a standing scanner one that scipd runs, in the room that it sees");
+    const auto options = std::make_shared<TwinOptions>();
+    options->connection.add_to(*command);
+    command
+        ->add_option("-o,--output", options->folder,
+                     "where twin.yaml, room.sdf and the recordings are written; old "
+                     "ones are replaced")
+        ->required()
+        ->type_name("DIR");
+    command
+        ->add_option("--seconds", options->seconds,
+                     "how long it stands for each recording; nothing may move before it meanwhile")
+        ->check(number_within(1.0, 3600.0))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "tell what was found as a JSON document");
+    command->callback([options] { make_twin(*options); });
+    command->footer(
+        "On a terminal it asks you to turn the scanner once. Elsewhere it asks nothing.\n"
+        "Examples:\n"
+        "  scipcat twin tcp://192.168.0.10:10940 -o mine/\n"
+        "  scipd --config mine/twin.yaml\n"
+        "  scipcat compare mine/standing.mcap tcp://127.0.0.1:10940");
+}
+
+}  // namespace scipd::tools

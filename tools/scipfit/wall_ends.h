@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Where the walls of a room end: at corners, at edges, and behind what stands before them. Pure;
+// any thread.
+#pragma once
+
+#include <vector>
+
+#include "tools/scipfit/beam.h"
+#include "tools/scipfit/readings.h"
+#include "tools/scipfit/wall.h"
+
+namespace scipd::tools {
+
+/// Finds `begin` and `end` of each from its beams. They are in the order of their beams.
+void find_ends(std::vector<Wall>& walls, const Readings& readings, const std::vector<Beam>& beams);
+
+}  // namespace scipd::tools
