@@ -107,6 +107,10 @@ std::unique_ptr<Conversation> RigApi::subscribe(const std::string& sensor, WebSo
 }
 
 std::unique_ptr<Conversation> RigApi::open_view(WebSocket& page) {
+Recordings& RigApi::recordings() {
+    return simulation_.recordings;
+}
+
     return simulation_.view.open(page, [this] { return world(); });
 }
 
