@@ -34,6 +34,7 @@ namespace scipd::daemon {
 
 class FaultsApi;
 class Rate;
+class Recordings;
 class SceneGallery;
 class SenderClock;
 
@@ -74,6 +75,9 @@ class Api {
     /// Begins to send all measurements of a sensor that is there; `sensor` empty: of all sensors.
     virtual std::unique_ptr<Conversation> subscribe(const std::string& sensor,
                                                     WebSocket& socket) = 0;
+
+    /// What clients record of scanners that are there.
+    [[nodiscard]] virtual Recordings& recordings() = 0;
 
     /// Begins to send a page what it draws.
     virtual std::unique_ptr<Conversation> open_view(WebSocket& page) = 0;

@@ -44,6 +44,9 @@ void get_truth(Call&& call);
 void get_replay(Call&& call);
 void patch_replay(Call&& call);
 
+// recording_routes.cpp
+void get_recording(Call&& call);
+
 // metrics_routes.cpp
 void get_metrics(Call&& call);
 void get_health(Call&& call);

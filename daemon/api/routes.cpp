@@ -21,7 +21,7 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 41> table{{
+constexpr std::array<Route, 42> table{{
     {"GET", "/", get_page},
     {"GET", "/favicon.ico", get_icon},
     {"GET", "/page/{file}", get_page_file},
@@ -32,6 +32,7 @@ constexpr std::array<Route, 41> table{{
     {"GET", "/sensors/{robot}/{sensor}", get_sensor},
     {"PATCH", "/sensors/{robot}/{sensor}", patch_sensor},
     {"GET", "/sensors/{robot}/{sensor}/reading", get_reading},
+    {"GET", "/sensors/{robot}/{sensor}/recording", get_recording},
     {"GET", "/sensors/{robot}/{sensor}/replay", get_replay},
     {"PATCH", "/sensors/{robot}/{sensor}/replay", patch_replay},
     {"GET", "/sensors/{robot}/{sensor}/truth", get_truth},

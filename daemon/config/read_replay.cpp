@@ -9,11 +9,23 @@
 #include "daemon/config/numbers.h"
 #include "daemon/config/values.h"
 #include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 5> replay_keys{"file", "stream", "loop", "speed", "from_s"};
+constexpr std::array<std::string_view, 6> replay_keys{"file",  "stream", "loop",
+                                                      "speed", "from_s", "begins_s"};
+
+using Begins = std::variant<std::chrono::nanoseconds, AsRecorded>;
+
+sim::Expected<std::optional<Begins>> parse_begins(std::string_view text) {
+    if (text == "recorded") return Begins(AsRecorded{});
+    const auto stamp = sim::parse_stamp(text);
+    if (stamp) return Begins(*stamp);
+    return sim::refuse("must be a stamp in seconds, within 9e9, or recorded, not " +
+                       sim::quote(text));
+}
 
 }  // namespace
 
@@ -42,6 +54,9 @@ ReplayConfig read_replay(const sim::YamlField& field, const std::filesystem::pat
     section.read("loop", replay.loop, parse_loop);
     section.read("speed", replay.speed, parse_speed);
     section.read("from_s", replay.from, parse_span);
+    section.read("begins_s", replay.begins, parse_begins);
+    if (const Field* begins = section.find("begins_s"); begins && section.find("from_s"))
+        faults.add(*begins, "give begins_s or from_s, not both");
     return replay;
 }
 

@@ -6,7 +6,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <variant>
 
 namespace scipd::daemon {
 
@@ -16,13 +18,20 @@ enum class ReplayLoop {
     on,     ///< stamps go on from round to round
 };
 
+/// When its first scan was recorded, as the file says.
+struct AsRecorded {
+    bool operator==(const AsRecorded&) const = default;
+};
+
 struct ReplayConfig {
     std::filesystem::path file;
     std::string stream;  ///< which of several scanners or topics of the file; empty: the only one
     ReplayLoop loop = ReplayLoop::none;
     double speed = 1.0;               ///< how many times as fast as it was recorded
     std::chrono::nanoseconds from{};  ///< where it begins, since its first scan
-    bool finds_model = false;         ///< the recording says of which model the scanner is
+    /// When the first scan begins, on the line of the poses' stamps; nothing: at once.
+    std::optional<std::variant<std::chrono::nanoseconds, AsRecorded>> begins;
+    bool finds_model = false;  ///< the recording says of which model the scanner is
 
     bool operator==(const ReplayConfig&) const = default;
 };

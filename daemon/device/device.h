@@ -44,8 +44,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     void play(SharedTape tape, const ReplayConfig& config);
     /// Null: it looks at the world.
     [[nodiscard]] Replay* replay() { return replay_ ? &*replay_ : nullptr; }
+    [[nodiscard]] ReplayTurn replay_turn(std::int64_t revolution) const;
     ~Device() override;
-
     [[nodiscard]] std::unique_ptr<Client> connect(std::function<void()> on_actions,
                                                   protocol::LinkKind link) override;
     [[nodiscard]] Clock& clock() override { return clock_; }

@@ -22,18 +22,22 @@ void Device::play(SharedTape tape, const ReplayConfig& config) {
 }
 
 void Device::turn_as_recorded(std::int64_t revolution) {
-    timing_.turn_from(timing_.start(revolution), replay_->lasts(revolution));
+    timing_.turn_from(timing_.start(revolution), replay_->lasts(replay_turn(revolution)));
+}
+
+ReplayTurn Device::replay_turn(std::int64_t revolution) const {
+    return {revolution, clock_.origin() + device_clock_.world_time(timing_.start(revolution))};
 }
 
 bool Device::shows(std::int64_t revolution) const {
-    return !replay_ || replay_->at(revolution);
+    return !replay_ || replay_->at(replay_turn(revolution));
 }
 
 const ScanRecord& Device::measure(std::int64_t revolution) {
     if (const auto latest = log_.latest(); latest && latest->cast->revolution == revolution)
         return *latest;
     const sim::SensorSpec& optics = sweep_.optics();
-    const auto shown = replay_ ? replay_->at(revolution) : std::nullopt;
+    const auto shown = replay_ ? replay_->at(replay_turn(revolution)) : std::nullopt;
     ScanRecord record = shown ? played(revolution, *shown) : cast(revolution);
     record.accuracy = sweep_.accuracy();
     record.stamp_ms = protocol::timestamp_ms(start_of(revolution), state_.clock_zero());

@@ -15,6 +15,7 @@ namespace scipd::daemon {
 enum class WatchedBy {
     stream,  ///< those who get all of them
     view,    ///< pages, which get some
+    recordings,
 };
 
 template <class Record>
@@ -36,7 +37,7 @@ class Watchers {
     }
 
   private:
-    std::array<Watcher, 2> watchers_;
+    std::array<Watcher, 3> watchers_;
 };
 
 }  // namespace scipd::daemon

@@ -36,6 +36,8 @@ Tapes load_tapes(Config& config, const std::stop_token& stop) {
             if (!sensor.replay) continue;
             const std::string name = sensor_name(robot.name, sensor.name);
             try {
+                if (sensor.replay->begins && config.clock != ClockKind::poses)
+                    throw sim::LoadError({"begins_s is a stamp of poses, and needs clock: poses"});
                 if (sensor.replay->finds_model) {
                     RecordedScanner scanner = recorded_scanner(*sensor.replay);
                     take_identity(scanner.identity, scanner.model);

@@ -52,9 +52,14 @@ class ScanReader {
             auto* const scan = std::get_if<RecordedScan>(&(**item).what);
             if (scan == nullptr || !is_wanted((**item).stream)) continue;
             scan_ = std::move(*scan);
+            // The first one tells from when on the others count.
+            if (skip_) recording_->skip_ahead(*std::exchange(skip_, std::nullopt));
             return &scan_;
         }
     }
+
+    /// What comes earlier, behind the next scan, may be left out.
+    void skip_ahead(sim::Time since_first) { skip_ = since_first; }
 
     /// Of the stream that was read.
     [[nodiscard]] const sim::ScannerIdentity& identity() const {
@@ -81,6 +86,7 @@ class ScanReader {
     const ReplayConfig& replay_;
     std::unique_ptr<sim::Recording> recording_;
     std::optional<std::size_t> stream_;
+    std::optional<sim::Time> skip_;
     RecordedScan scan_;
 };
 
@@ -99,9 +105,14 @@ struct Moment {
         : stamp_ms(scan.stamp_ms), stamp_us(scan.stamp_us), host(scan.host_time) {}
 };
 
-/// By the scanner's clock where it has one, else by the recorder's.
-sim::Time between(const Moment& a, const Moment& b, sim::Time period) {
+/// By the scanner's clock where it has one, else by the recorder's. What lies between them may have
+/// been left out, up to `unread` and less than a gap.
+sim::Time between(const Moment& a, const Moment& b, sim::Time period, sim::Time unread = {}) {
     std::optional<sim::Time> apart;
+    if (unread > sim::Time::zero() && a.host && b.host) {
+        const auto host = std::chrono::duration_cast<sim::Time>(*b.host - *a.host);
+        if (host > 1s && host <= unread + longest_gap) return host;
+    }
     if (a.stamp_us && b.stamp_us && *b.stamp_us > *a.stamp_us) {
         apart = follows(std::chrono::microseconds(static_cast<std::int64_t>(
             std::min<std::uint64_t>(*b.stamp_us - *a.stamp_us, 1U << 30U))));
@@ -111,6 +122,14 @@ sim::Time between(const Moment& a, const Moment& b, sim::Time period) {
     if (!apart && a.host && b.host)
         apart = follows(std::chrono::duration_cast<sim::Time>(*b.host - *a.host));
     return apart.value_or(period);
+}
+
+/// How much of the beginning is never shown, and need not be read: a little less than what comes
+/// before from_s, since a scan is in the file a while after its time.
+sim::Time unread_of(const ReplayConfig& replay) {
+    constexpr sim::Time margin = 2s;
+    const bool again = replay.loop != ReplayLoop::none;
+    return again ? sim::Time::zero() : std::max<sim::Time>(replay.from - margin, 0s);
 }
 
 /// What a driver would see as the stamp: the recorded one, or the time since the first scan.
@@ -238,6 +257,8 @@ SharedTape read_tape(const ReplayConfig& replay, const Model& model, const std::
     const auto period = std::chrono::duration_cast<sim::Time>(model.optics.scan_period);
     const auto tape =
         std::make_shared<Tape>(static_cast<std::size_t>(model.optics.beams()), with_echoes);
+    const sim::Time unread = unread_of(replay);
+    if (unread > sim::Time::zero()) reader.skip_ahead(unread);
     sim::Time begin{};
     std::optional<Moment> before;
     std::optional<std::pair<sim::Directions, std::size_t>> mapped;
@@ -245,8 +266,10 @@ SharedTape read_tape(const ReplayConfig& replay, const Model& model, const std::
     while (const RecordedScan* const scan = reader.next()) {
         if (stop.stop_requested()) throw sim::LoadError({"scipd ends"});
         const Moment now(*scan);
-        if (before) begin += between(*before, now, period);
+        if (before) begin += between(*before, now, period, unread);
+        if (!before && now.host) tape->set_recorded(now.host->time_since_epoch());
         before = now;
+        if (begin < unread) continue;
         if (const std::pair is{scan->directions, scan->steps()}; mapped != is) {
             places = places_of(*scan, model, replay);
             mapped = is;
@@ -258,8 +281,11 @@ SharedTape read_tape(const ReplayConfig& replay, const Model& model, const std::
             fail(replay, error.what());
         }
     }
+    if (tape->size() == 0 && before) fail(replay, "has no scan from from_s on");
     if (tape->size() == 0) fail(replay, "holds no scan");
     tape->end(period);
+    if (replay.begins && std::holds_alternative<AsRecorded>(*replay.begins) && !tape->recorded())
+        fail(replay, "does not say when it was recorded: give begins_s as a stamp in seconds");
     return tape;
 }
 

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/recording/decoded_recording.h"
 
+#include <chrono>
 #include <deque>
 #include <map>
 #include <optional>
@@ -25,6 +26,10 @@ class DecodedRecording final : public sim::Recording {
     explicit DecodedRecording(std::unique_ptr<sim::Recording> inner)
         : Recording(inner->format()), inner_(std::move(inner)) {
         meet_streams();
+    }
+
+    void skip_ahead(std::chrono::nanoseconds since_first) override {
+        inner_->skip_ahead(since_first);
     }
 
   private:

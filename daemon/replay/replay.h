@@ -2,8 +2,9 @@
 // Copyright The scipd authors
 //
 // Which scan of a recording a scanner shows at which turn of its mirror. Turns are counted by the
-// scanner; what steers the replay holds from a turn on that is still to come. Lives with its
-// scanner.
+// scanner; what steers the replay holds from a turn on that is still to come. Or it follows the
+// line of stamps: each scan begins when it was recorded, however often the mirror turns between.
+// Lives with its scanner.
 #pragma once
 
 #include <cstddef>
@@ -36,6 +37,12 @@ struct ReplaySteering {
     std::optional<double> speed;
 };
 
+/// A turn of the mirror.
+struct ReplayTurn {
+    std::int64_t number = 0;
+    sim::Time begins{};  ///< as people call it
+};
+
 class Replay {
   public:
     Replay(SharedTape tape, const ReplayConfig& config);
@@ -44,30 +51,37 @@ class Replay {
         std::size_t scan = 0;
         std::uint32_t stamp_ms = 0;  ///< 24 bits
     };
-    /// Nothing: it is paused, or over.
-    [[nodiscard]] std::optional<Shown> at(std::int64_t turn) const;
+    /// Nothing: it is paused, or over, or no scan begins with this turn on the line of stamps.
+    [[nodiscard]] std::optional<Shown> at(const ReplayTurn& turn) const;
     /// How long this turn takes.
-    [[nodiscard]] sim::Time lasts(std::int64_t turn) const;
+    [[nodiscard]] sim::Time lasts(const ReplayTurn& turn) const;
     [[nodiscard]] const Tape& tape() const { return *tape_; }
 
-    /// Holds from this turn on.
-    void steer(const ReplaySteering& steering, std::int64_t turn);
-    [[nodiscard]] ReplayStatus status(std::int64_t turn) const;
+    /// Holds from this turn on, and ends that it follows the line of stamps.
+    void steer(const ReplaySteering& steering, const ReplayTurn& turn);
+    [[nodiscard]] ReplayStatus status(const ReplayTurn& turn) const;
 
   private:
     /// Scans since the first one, all rounds counted.
-    [[nodiscard]] std::int64_t position(std::int64_t turn) const;
+    [[nodiscard]] std::int64_t position(const ReplayTurn& turn) const;
+    /// Where the line of stamps is in the recording at that time.
+    struct Place {
+        std::int64_t round = 0;
+        sim::Time at{};  ///< since the first scan of the round; negative: before it begins
+    };
+    [[nodiscard]] Place place(sim::Time time) const;
     /// The scan at this position; nothing where there is none.
     [[nodiscard]] std::optional<std::size_t> scan_at(std::int64_t position) const;
     /// Counts from this turn on.
-    void rebase(std::int64_t turn);
+    void rebase(const ReplayTurn& turn);
 
     SharedTape tape_;
     std::string file_;
     ReplayLoop loop_;
     double speed_;
-    std::int64_t turn_ = 0;      ///< the first that is counted from
-    std::int64_t position_ = 0;  ///< at that turn
+    std::optional<sim::Time> begins_;  ///< on the line of stamps; nothing: it counts turns
+    std::int64_t turn_ = 0;            ///< the first that is counted from
+    std::int64_t position_ = 0;        ///< at that turn
     bool paused_ = false;
     std::int64_t paused_from_ = 0;  ///< turn
 };

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "protocol/scan_view.h"
@@ -31,9 +32,12 @@ class Tape {
 
     /// Throws std::runtime_error where the disk is full.
     void add(const TapedScan& scan, std::uint32_t stamp_ms, sim::Time begin);
+    /// When the first scan was recorded, since 1970.
+    void set_recorded(std::optional<sim::Time> recorded) { recorded_ = recorded; }
     /// No scan follows. The last one takes as long as this.
     void end(sim::Time last);
 
+    [[nodiscard]] std::optional<sim::Time> recorded() const { return recorded_; }
     [[nodiscard]] std::size_t size() const { return stamps_ms_.size(); }
     [[nodiscard]] TapedScan scan(std::size_t index) const;
     /// The scanner's own clock at step 0, 24 bits.
@@ -57,6 +61,7 @@ class Tape {
     std::size_t steps_;
     bool has_echoes_;
     std::unique_ptr<std::FILE, Close> file_;
+    std::optional<sim::Time> recorded_;
     std::vector<std::uint32_t> stamps_ms_;
     std::vector<sim::Time> begins_;  ///< and the end
 };

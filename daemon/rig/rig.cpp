@@ -217,6 +217,7 @@ std::vector<Station*> Rig::start(const Config& config, const Tapes& tapes,
                                          .stream = simulation.stream,
                                          .view = simulation.view,
                                          .wire = simulation.wire,
+                                         .recordings = simulation.recordings,
                                          .lockstep = simulation.lockstep != nullptr,
                                          .tape = tape == tapes.end() ? nullptr : tape->second};
             SensorPorts served = ports_of(ports, robot.name, sensor);

@@ -86,13 +86,14 @@ std::optional<ReplayStatus> RigApi::replay(const std::string& sensor) const {
     if (station == nullptr || !station->config.replay) return std::nullopt;
     Device& device = *std::get<std::unique_ptr<Device>>(station->sensor);
     return simulation_.shards.still(
-        [&] { return device.replay()->status(device.next_revolution()); });
+        [&] { return device.replay()->status(device.replay_turn(device.next_revolution())); });
 }
 
 void RigApi::steer_replay(const std::string& sensor, const ReplaySteering& steering) {
     const Station& station = *find_station(simulation_.stations, sensor);
     Device& device = *std::get<std::unique_ptr<Device>>(station.sensor);
-    simulation_.shards.still([&] { device.replay()->steer(steering, device.next_revolution()); });
+    simulation_.shards.still(
+        [&] { device.replay()->steer(steering, device.replay_turn(device.next_revolution())); });
 }
 
 void RigApi::ask_log(const std::string& sensor) {
@@ -104,6 +105,10 @@ void RigApi::ask_log(const std::string& sensor) {
 
 std::unique_ptr<Conversation> RigApi::subscribe(const std::string& sensor, WebSocket& socket) {
     return simulation_.stream.subscribe(sensor, socket);
+}
+
+Recordings& RigApi::recordings() {
+    return simulation_.recordings;
 }
 
 std::unique_ptr<Conversation> RigApi::open_view(WebSocket& page) {

@@ -51,6 +51,7 @@ class RigApi : public Api {
     [[nodiscard]] SceneView scene() const override;
     [[nodiscard]] WorldView world() const override;
     [[nodiscard]] SceneGallery& gallery() override { return gallery_; }
+    [[nodiscard]] Recordings& recordings() override;
     void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) override;
     [[nodiscard]] std::vector<sim::Medium> media() const override;
     [[nodiscard]] std::vector<std::string> set_media(std::vector<sim::Medium> media) override;

@@ -14,6 +14,7 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
+#include "daemon/api/recordings.h"
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/view_stream.h"
 #include "daemon/api/wire_stream.h"
@@ -70,6 +71,7 @@ struct Simulation {
     ScanStream stream;
     ViewStream view;
     WireStream wire;
+    Recordings recordings;
     Stations stations;
     std::map<std::string, SensorCounts> counted_before;  ///< by sensors that are gone, by name
     ScenarioRun scenario;

@@ -108,6 +108,8 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     station->wire_tap = std::make_unique<WireStream::Tap>(
         context.wire, station->name(),
         std::make_unique<WireTap>(device, std::move(heard), wire_log(station->name())));
+    station->recordings_tap =
+        std::make_unique<Recordings::Tap>(context.recordings, station->name(), device);
     for (Port* const port : served)
         port->serve(device, sensor.link);
     station->served_before = station->ports.counts();

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "daemon/api/recordings.h"
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/view_stream.h"
 #include "daemon/api/wire_stream.h"
@@ -49,8 +50,9 @@ struct Station {
     std::unique_ptr<FaultInjector> faults;  ///< null: a camera or ranger
     std::unique_ptr<ScanStream::Tap> tap;
     std::unique_ptr<ViewStream::Tap> view_tap;
-    std::unique_ptr<WireStream::Tap> wire_tap;  ///< null: a camera or ranger
-    std::unique_ptr<ClientLog> client_log;      ///< the same
+    std::unique_ptr<WireStream::Tap> wire_tap;        ///< null: a camera or ranger
+    std::unique_ptr<Recordings::Tap> recordings_tap;  ///< the same
+    std::unique_ptr<ClientLog> client_log;            ///< the same
 
     [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
     /// From the next measurement on it sits there on its robot.
@@ -69,6 +71,7 @@ struct StationContext {
     ScanStream& stream;
     ViewStream& view;
     WireStream& wire;
+    Recordings& recordings;
     bool lockstep = false;
     SharedTape tape = nullptr;  ///< that it plays; null: it looks at the world
 };

@@ -14,7 +14,13 @@ namespace scipd::sim {
 std::unique_ptr<RecordingWriter> create_recording(const std::filesystem::path& path,
                                                   const ScannerIdentity& identity,
                                                   const Recorder& recorder) {
-    const std::string ending = path.extension();
+    return create_recording(path, path.extension().string(), identity, recorder);
+}
+
+std::unique_ptr<RecordingWriter> create_recording(const std::filesystem::path& path,
+                                                  std::string_view ending,
+                                                  const ScannerIdentity& identity,
+                                                  const Recorder& recorder) {
     const std::string who = recorder.name + " " + recorder.version;
     if (ending == ".csv") return create_csv(path, identity, recorder.name);
     if (ending == ".jsonl") return create_json_lines(path, identity);

@@ -31,5 +31,10 @@ struct Recorder {
 [[nodiscard]] std::unique_ptr<RecordingWriter> create_recording(const std::filesystem::path& path,
                                                                 const ScannerIdentity& identity,
                                                                 const Recorder& recorder);
+/// The same where the file's name says nothing.
+[[nodiscard]] std::unique_ptr<RecordingWriter> create_recording(const std::filesystem::path& path,
+                                                                std::string_view ending,
+                                                                const ScannerIdentity& identity,
+                                                                const Recorder& recorder);
 
 }  // namespace scipd::sim

@@ -42,6 +42,7 @@ robots:
 SCANS = "".join(json.dumps({"stamp_ms": 25 * i, "first_step": 0, "distances_mm": [1000 + i] * 1081}) + "\n"
                 for i in range(8))
 TRUTH = "/sensors/{robot}/{sensor}/truth"
+RECORDING = "/sensors/{robot}/{sensor}/recording"
 READING = "/sensors/{robot}/{sensor}/reading"
 REPLAY = "/sensors/{robot}/{sensor}/replay"
 POSE = "/scene/models/{model}/pose"
@@ -83,6 +84,10 @@ EXCHANGES = [
     ("PATCH", REPLAY, "/sensors/robot/played/replay", {"step": 0}, 400),
     ("PATCH", REPLAY, "/sensors/robot/tof/replay", {"step": 3}, 409),
     ("PATCH", REPLAY, "/sensors/robot/other/replay", {"step": 3}, 404),
+    ("GET", RECORDING, "/sensors/robot/scanner/recording?scans=1", None, 200),
+    ("GET", RECORDING, "/sensors/robot/scanner/recording?scans=0", None, 400),
+    ("GET", RECORDING, "/sensors/robot/other/recording", None, 404),
+    ("GET", RECORDING, "/sensors/robot/tof/recording", None, 409),
     ("GET", TRUTH, "/sensors/robot/scanner/truth", None, 200),
     ("GET", TRUTH, "/sensors/robot/multi/truth", None, 200),
     ("GET", TRUTH, "/sensors/robot/tof/truth", None, 200),

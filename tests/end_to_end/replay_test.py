@@ -103,6 +103,31 @@ def can_be_steered(recording, programs, folder):
         assert replay("play")["state"] == "playing"
 
 
+def begins_where_it_is_told(programs, folder):
+    """A scan a second: what comes more than two seconds before from_s is not read."""
+    scipd = programs[0]
+    step = 0.00436332313
+    (folder / "slow.jsonl").write_text("".join(json.dumps({
+        "host_time_s": 1000.5 + i, "stamp_ms": 1000 * i, "model": "UST-10LX", "first_step": 0,
+        "first_angle_rad": -540 * step, "angle_increment_rad": step, "distances_mm": [1000 + i] * 1081}) + "\n"
+        for i in range(60)))
+    for from_s, scan, state in [(30, 2, "playing"), (0, 0, "playing"), (1000, None, None)]:
+        (folder / "slow.yaml").write_text(json.dumps({"robots": {"robot": {"sensors": {"scanner": {
+            "replay": {"file": "slow.jsonl", "from_s": from_s}, "pty": "none", "tcp": "127.0.0.1:0"}}}}}))
+        if scan is None:
+            done = subprocess.run([scipd, "--config", str(folder / "slow.yaml")], capture_output=True, text=True,
+                                  timeout=PATIENCE_S, check=False)
+            assert done.returncode == 2 and "has no scan from from_s on" in done.stderr, done
+            continue
+        with subprocess.Popen([scipd, "--config", str(folder / "slow.yaml"), "--control", str(folder / "s")],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+            assert process.stdout.readline()
+            status, told = Control(folder / "s").ask("GET", "/sensors/robot/scanner/replay")
+            process.terminate()
+        assert status == 200 and (told["scan"], told["state"]) == (scan, state), told
+        assert told["at_s"] == from_s and told["duration_s"] > 59 and told["scans"] == (32 if from_s else 60), told
+
+
 def refuses_what_is_none(programs, folder):
     scipd = programs[0]
     for name, text, advice in [("a.txt", "hello\n", "a.txt"), ("empty.jsonl", "", "empty.jsonl")]:
@@ -120,6 +145,7 @@ def main(*programs):
                 can_be_steered(recording, programs, pathlib.Path(folder))
     with tempfile.TemporaryDirectory() as folder:
         refuses_what_is_none(programs, pathlib.Path(folder))
+        begins_where_it_is_told(programs, pathlib.Path(folder))
     print("recorded scans come again")
 
 

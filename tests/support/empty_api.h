@@ -14,6 +14,7 @@
 
 #include "daemon/api/api.h"
 #include "daemon/api/faults_api.h"
+#include "daemon/api/recordings.h"
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/scene_gallery.h"
 
@@ -87,6 +88,7 @@ class EmptyApi : public daemon::Api {
         return view;
     }
     [[nodiscard]] daemon::SceneGallery& gallery() override { return gallery_; }
+    [[nodiscard]] daemon::Recordings& recordings() override { return recordings_; }
     void edit_scene(daemon::SceneEdit, daemon::EditDone done, std::stop_token) override {
         done({});
     }
@@ -105,6 +107,7 @@ class EmptyApi : public daemon::Api {
     sim::SharedScene scene_ = std::make_shared<const sim::Scene>();
     std::vector<sim::Medium> media_;
     daemon::ScanStream stream_;
+    daemon::Recordings recordings_{{}, [](const daemon::Worker::Begin& begin) { begin()()(); }};
     EmptyFaults faults_;
     daemon::SceneGallery gallery_{
         [](const daemon::Worker::Begin& begin) { begin()()(); }};  // here and now

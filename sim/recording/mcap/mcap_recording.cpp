@@ -62,7 +62,14 @@ class Mcap final : public Recording {
         const auto record = read_to_message();
         if (!record) return tl::unexpected(record.error());
         first_ = *record;
+        if (const auto message = *record ? mcap::parse_message((*record)->content)
+                                         : Expected<mcap::Message>(refuse("there is none")))
+            begin_ns_ = message->log_ns;
         return {};
+    }
+
+    void skip_ahead(std::chrono::nanoseconds since_first) override {
+        reader_.skip_to(begin_ns_ + static_cast<std::uint64_t>(since_first.count()));
     }
 
   private:
@@ -77,6 +84,7 @@ class Mcap final : public Recording {
 
     mcap::RecordReader reader_;
     std::optional<std::optional<Record>> first_;  ///< a message that was read and not yet given
+    std::uint64_t begin_ns_ = 0;                  ///< the time of the first message
     std::map<std::uint16_t, mcap::Schema> schemas_;
     std::map<std::uint16_t, Content> contents_;
     std::map<std::string, std::size_t> streams_by_prefix_;

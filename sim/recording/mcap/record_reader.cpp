@@ -60,6 +60,11 @@ Expected<std::optional<Record>> RecordReader::next_in_file() {
         if (opcode == Opcode::data_end || opcode == Opcode::footer) return std::nullopt;
         next_byte_ = begin + length;
         if (!is_wanted(opcode)) continue;
+        if (opcode == Opcode::chunk && skip_to_ns_ > 0) {
+            const auto early = is_early(begin);
+            if (!early) return tl::unexpected(early.error());
+            if (*early) continue;
+        }
         if (length > largest_block)
             return file_.refuse_byte(
                 byte_, "the record has " + std::to_string(length) + " bytes, more than this reads");
@@ -68,6 +73,16 @@ Expected<std::optional<Record>> RecordReader::next_in_file() {
         content_ = std::move(*content);
         return Record{opcode, byte_, content_};
     }
+}
+
+// A chunk begins with the times of its first and its last message.
+Expected<bool> RecordReader::is_early(std::uint64_t chunk) {
+    const auto times = file_.read(chunk, 2 * sizeof(std::uint64_t));
+    if (!times) return tl::unexpected(times.error());
+    ByteReader reader(*times);
+    reader.skip(sizeof(std::uint64_t));
+    const auto last_ns = reader.number<std::uint64_t>();
+    return !reader.too_short() && last_ns < skip_to_ns_;
 }
 
 Expected<std::optional<Record>> RecordReader::next_in_chunk() {

@@ -34,6 +34,9 @@ class RecordReader {
     /// The next Schema, Channel, Message, Metadata or Header; nothing at the end of the data.
     [[nodiscard]] Expected<std::optional<Record>> next();
 
+    /// From now on chunks that end before this time are passed over unread.
+    void skip_to(std::uint64_t log_ns) { skip_to_ns_ = log_ns; }
+
     /// What is missing at the end of the file, for the user; empty: it is whole.
     [[nodiscard]] const std::string& lost() const { return lost_; }
     [[nodiscard]] const InputFile& file() const { return file_; }
@@ -41,11 +44,13 @@ class RecordReader {
   private:
     [[nodiscard]] Expected<std::optional<Record>> next_in_file();
     [[nodiscard]] Expected<std::optional<Record>> next_in_chunk();
+    [[nodiscard]] Expected<bool> is_early(std::uint64_t chunk);
     [[nodiscard]] Expected<> unpack(std::string_view content);
     [[nodiscard]] std::optional<Record> ends(const std::string& how);
 
     InputFile file_;
     std::uint64_t next_byte_ = magic.size();
+    std::uint64_t skip_to_ns_ = 0;
     std::uint64_t byte_ = 0;  ///< where the record in content_ begins
     std::string content_;
     std::string chunk_;  ///< unpacked

@@ -5,6 +5,7 @@
 // memory. open_recording.h opens one. Of one owner; any thread.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -59,6 +60,10 @@ class Recording {
         ended_ = !item || !*item;
         return item;
     }
+
+    /// What comes earlier than so long after the file's first message is not wanted. A format that
+    /// can pass over it unread does so, more or less; others bring it.
+    virtual void skip_ahead(std::chrono::nanoseconds) {}
 
   protected:
     using Next = Expected<std::optional<RecordedItem>>;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+#include <chrono>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include <gmock/gmock.h>
 
 #include "sim/recording/create_recording.h"
 #include "sim/recording/mcap/mcap_writer.h"
 #include "sim/recording/mcap/record_reader.h"
+#include "sim/recording/open_recording.h"
 #include "tests/sim/recording/recordings.h"
 #include "tests/support/temp_dir.h"
 
@@ -60,6 +64,28 @@ TEST(Mcap, SaysWhichChunkIsDamaged) {
     EXPECT_THAT(back.fault, AllOf(StartsWith("FILE: byte "),
                                   HasSubstr("the chunk is damaged: its sum is wrong")));
     EXPECT_THAT(back.scans(), IsEmpty());
+}
+
+TEST(Mcap, PassesOverWhatIsEarlyUnread) {
+    const TempDir directory;
+    std::string bytes = bytes_of(ten_scans(directory, Compression::none, false));
+    std::size_t fifth = 0;
+    for (int n = 0; n < 5; ++n)
+        fifth = bytes.find("\"timestamp\":", fifth + 1);
+    ASSERT_NE(fifth, bytes.npos);
+    bytes[fifth + 1] = 'T';  // whoever reads its chunk complains
+    auto recording = sim::open_recording(sim::InputFile::of_bytes("FILE", bytes)).value();
+    std::vector<sim::RecordedScan> scans;
+    recording->skip_ahead(std::chrono::seconds(4));
+    for (auto item = recording->next(); item && *item; item = recording->next()) {
+        if (const auto* const scan = std::get_if<sim::RecordedScan>(&(*item)->what))
+            scans.push_back(*scan);
+    }
+    ASSERT_FALSE(scans.empty());
+    EXPECT_EQ(scans.front(), some_scan(0));
+    EXPECT_EQ(scans.back(), some_scan(160));
+    EXPECT_THAT(scans, testing::Not(testing::Contains(some_scan(80))));
+    EXPECT_NE(read_bytes(bytes).fault, "");
 }
 
 TEST(Mcap, RefusesOtherFiles) {

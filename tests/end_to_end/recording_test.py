@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# GET /sensors/R/S/recording: the scans of a file, in each format, are those that a driver got over the wire at the
+# same time, by their stamps. Who leaves, asks wrongly or asks for too many costs nobody else a recording.
+# recording_test.py SCIPD SCIPCAT SCENES
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+
+from fault_lab import PATIENCE_S, Control, wait_for
+from replay_test import Scipd, scans
+
+FORMATS = {"mcap": b"\x89MCAP", "ubh": b"[appName]", "csv": b"# U", "jsonl": b"{"}
+RECORDING = "/sensors/robot/scanner/recording"
+
+
+def get(control, target):
+    talk = Control(control)
+    talk.request("GET", target)
+    answer = talk.getresponse()
+    return answer.status, answer.read(), answer.headers
+
+
+def info_of(scipcat, file):
+    return json.loads(subprocess.run([scipcat, "info", str(file), "--json"], capture_output=True, check=True,
+                                     timeout=PATIENCE_S).stdout)
+
+
+def holds_what_the_wire_has(model, programs, folder):
+    scipd, scipcat, scenes = programs
+    wants = ["--echoes"] if model == "UTM-30LX-EW" else []
+    with Scipd(scipd, folder, "--scene", f"{scenes}/rescue_maze.sdf", "--poses", f"{scenes}/rescue_maze.tum",
+               "--model", model, "--accuracy", "material") as scanner:
+        files = {}
+
+        def ask(kind):
+            status, files[kind], headers = get(scanner.ready["control"], f"{RECORDING}?format={kind}&scans=20")
+            assert status == 200 and f'"scanner.{kind}"' in headers["Content-Disposition"], headers
+
+        heard = folder / "heard.jsonl"
+        with subprocess.Popen([scipcat, "record", scanner.tcp, "-o", str(heard), "-n", "100", "--intensity", *wants],
+                              stderr=subprocess.DEVNULL) as driver:
+            control = Control(scanner.ready["control"])
+            wait_for(lambda: control.ask("GET", "/sensors/robot/scanner")[1]["state"] == "streaming", "a driver")
+            asking = [threading.Thread(target=ask, args=[kind]) for kind in FORMATS]
+            for one in asking:
+                one.start()
+            for one in asking:
+                one.join()
+            assert driver.wait(PATIENCE_S) == 0
+    for kind, magic in FORMATS.items():
+        assert files[kind].startswith(magic), (kind, files[kind][:40])
+        (folder / f"made.{kind}").write_bytes(files[kind])
+        info = info_of(scipcat, folder / f"made.{kind}")
+        assert info["scans"] == 20 and info["device"]["model"] == model and not info["warnings"], info
+        assert info["intensities"], info
+    made, heard = scans(folder / "made.jsonl"), scans(heard)
+    common = set(made) & set(heard)
+    assert len(common) >= 5, (sorted(made), sorted(heard))
+    for stamp in common:
+        for member in ("distances_mm", "intensities", "echoes", "first_step", "serial", "first_angle_rad"):
+            assert (member in made[stamp]) == (member != "echoes" or bool(wants)), (member, stamp)
+            assert made[stamp].get(member) == heard[stamp].get(member), f"{model}: another {member} at {stamp} ms"
+
+
+def refuses_and_lets_go(programs, folder):
+    scipd, _, scenes = programs
+    with Scipd(scipd, folder, "--scene", f"{scenes}/square_room.sdf") as scanner:
+        control = scanner.ready["control"]
+        for query, word in [("scans=0", b"4000"), ("scans=4001", b"4000"), ("scans=x", b"4000"),
+                            ("format=pcap", b"jsonl")]:
+            status, body, _ = get(control, f"{RECORDING}?{query}")
+            assert status == 400 and word in body, (status, body)
+        waiting = [Control(control) for _ in range(4)]
+        for one in waiting:
+            one.request("GET", f"{RECORDING}?scans=4000")
+        wait_for(lambda: get(control, f"{RECORDING}?scans=1")[0] == 409, "a refusal of the fifth")
+        waiting.pop().close()
+        wait_for(lambda: get(control, f"{RECORDING}?scans=1")[0] == 200, "room for another")
+        for one in waiting:
+            one.close()
+
+
+def main(*programs):
+    for model in ("UST-10LX", "UTM-30LX-EW"):
+        with tempfile.TemporaryDirectory() as folder:
+            holds_what_the_wire_has(model, programs, pathlib.Path(folder))
+    with tempfile.TemporaryDirectory() as folder:
+        refuses_and_lets_go(programs, pathlib.Path(folder))
+    print("what the API records is what the wire has")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
