@@ -55,14 +55,16 @@ void get_recording(Call&& call) {
         return call.respond(
             problem(409, "4 recordings are made already; ask again when one of them is done"));
     }
-    call.api.recordings().begin({.sensor = sensor,
-                                 .ending = ending,
-                                 .scans = *scans,
-                                 .withdrawn = call.request.withdrawn,
-                                 .done = [respond = call.respond, ending,
-                                          name = call.names[1]](sim::Expected<std::string> file) {
-                                     respond(response_of(name, ending, std::move(file)));
-                                 }});
+    Recordings::Order order{.sensor = sensor, .ending = ending, .scans = *scans};
+    order.withdrawn = call.request.withdrawn;
+    order.done = [respond = call.respond, ending, name = call.names[1]](auto file) {
+        respond(response_of(name, ending, std::move(file)));
+    };
+    order.gone = [respond = call.respond, sensor] {
+        respond(problem(
+            409, "\"" + sensor + "\" has left or has become another scanner meanwhile; ask again"));
+    };
+    call.api.recordings().begin(std::move(order));
 }
 
 }  // namespace scipd::daemon

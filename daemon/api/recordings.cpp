@@ -34,6 +34,7 @@ Recordings::Tap::Tap(Recordings& recordings, std::string name, Device& device)
 Recordings::Tap::~Tap() {
     std::erase(recordings_.taps_, this);
     device_.watch(nullptr, WatchedBy::recordings);
+    recordings_.end_those_of(name_);
 }
 
 void Recordings::begin(Order order) {
@@ -91,6 +92,17 @@ void Recordings::finish(const std::shared_ptr<Recording>& recording,
             };
         };
     });
+}
+
+// Once sensors go on: an answer may take a while.
+void Recordings::end_those_of(const std::string& sensor) {
+    for (const auto& recording : std::vector(recordings_)) {
+        if (recording->order.sensor != sensor || std::exchange(recording->complete, true)) continue;
+        ways_.to_stream([this, recording] {
+            forget(recording.get());
+            if (!recording->order.withdrawn.stop_requested()) recording->order.gone();
+        });
+    }
 }
 
 // Called by a Recording's own on_withdrawn as well, which may end within its call.

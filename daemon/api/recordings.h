@@ -53,9 +53,11 @@ class Recordings {
         std::string sensor;  ///< a scanner that is there
         std::string ending;  ///< ".mcap", one of sim::recording_endings
         std::size_t scans = 0;
-        std::stop_token withdrawn;
+        std::stop_token withdrawn = {};
         /// Takes the bytes of the file. Not called where the order is withdrawn.
-        std::function<void(sim::Expected<std::string>)> done;
+        std::function<void(sim::Expected<std::string>)> done = {};
+        /// The scanner goes before all scans are there. Nothing else is called then.
+        std::function<void()> gone = {};
     };
 
     Recordings(Ways ways, Aside aside) : ways_(std::move(ways)), aside_(std::move(aside)) {}
@@ -77,6 +79,7 @@ class Recordings {
     void take(const std::string& sensor, const SharedIdentity& identity,
               const sim::RecordedScan& scan);
     void finish(const std::shared_ptr<Recording>& recording, const SharedIdentity& identity);
+    void end_those_of(const std::string& sensor);
     void forget(const Recording* recording);
 
     Ways ways_;

@@ -6,12 +6,13 @@
 # recording_test.py SCIPD SCIPCAT SCENES
 import json
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
 import threading
 
-from fault_lab import PATIENCE_S, Control, wait_for
+from fault_lab import PATIENCE_S, Control, Lab, wait_for
 from replay_test import Scipd, scans
 
 FORMATS = {"mcap": b"\x89MCAP", "ubh": b"[appName]", "csv": b"# U", "jsonl": b"{"}
@@ -85,12 +86,30 @@ def refuses_and_lets_go(programs, folder):
             one.close()
 
 
+def ends_with_its_scanner(programs):
+    scipd, _, scenes = programs
+    stays, goes = ({"model": "UST-10LX", "tcp": "127.0.0.1:0"} for _ in range(2))
+    with Lab(scipd, f"{scenes}/square_room.sdf", sensors={"stays": stays, "goes": goes}, lockstep=False) as lab:
+        talk = Control(lab.ready["control"])
+        talk.request("GET", "/sensors/robot/goes/recording?scans=4000")
+        wait_for(lambda: lab.control.ask("GET", "/sensors/robot/goes")[1]["casts"], "a scan")
+        file = lab.folder / "lab.yaml"
+        configuration = json.loads(file.read_text())
+        del configuration["robots"]["robot"]["sensors"]["goes"]
+        file.write_text(json.dumps(configuration))
+        lab.process.send_signal(signal.SIGHUP)
+        answer = talk.getresponse()
+        assert answer.status == 409 and b"has left" in answer.read(), answer.status
+        assert get(lab.ready["control"], "/sensors/robot/stays/recording?scans=1")[0] == 200
+
+
 def main(*programs):
     for model in ("UST-10LX", "UTM-30LX-EW"):
         with tempfile.TemporaryDirectory() as folder:
             holds_what_the_wire_has(model, programs, pathlib.Path(folder))
     with tempfile.TemporaryDirectory() as folder:
         refuses_and_lets_go(programs, pathlib.Path(folder))
+    ends_with_its_scanner(programs)
     print("what the API records is what the wire has")
 
 
