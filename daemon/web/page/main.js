@@ -65,7 +65,7 @@ page.recorder = new Recorder(page.scans, page.settings);
 page.addDialog = new AddDialog(page.edits, page.world);
 page.tabs = new Tabs(byId('tabs'), page.settings);
 page.theme = new Theme(page);
-new Header(page);
+page.header = new Header(page);
 new Legend(page);
 new SensorsPanel(page);
 new ConnectCard(page);
@@ -120,6 +120,7 @@ async function begin() {
   choose();
   await world;
   look();
+  page.header.begin();
 }
 
 begin().catch((error) => page.notices.trouble(`The page cannot begin: ${error.message}`));
