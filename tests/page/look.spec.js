@@ -144,6 +144,20 @@ test('draws nothing beyond the world', async ({page, start}) => {
   expect(outside).toBe(0);
 });
 
+test('rays go to what is met, and of a recording to what was sent', async ({page, start}) => {
+  await open(page, await start());
+  const reaches = await page.evaluate(async () => {
+    const {Reach} = await import('/page/reach.js');
+    const shape = {origins: [0, 0, 0, 0, 0, 0, 0, 0, 0], directions: [1, 0, 0, 0, 1, 0, -0.6, 0.8, 0]};
+    const world = {min: {x: -3, y: -2, z: 0}, max: {x: 3, y: 2, z: 1}, isEmpty: () => false};
+    const limits = {beams: 3, nearest_mm: 20, dmax_mm: 30_000, max_range_m: 10};
+    const scan = (true_m) => ({...limits, arrays: {true_m, sent_mm: [1500, 1, 40_000]}});
+    const seen = (true_m, box) => [0, 1, 2].map((i) => new Reach(scan(true_m), shape, box).of(i));
+    return [seen([1.2, NaN, NaN], world), seen([NaN, NaN, NaN], world), seen([NaN, NaN, NaN], null)];
+  });
+  expect(reaches).toEqual([[1.2, 2, 2.5], [1.5, 2, 2.5], [1.5, 10, 10]]);
+});
+
 test('begins with a look at the robot and its scan', async ({page, start}) => {
   const daemon = await start(['--pose', '4.2,9,0.5', '--accuracy', 'ideal']);
   await open(page, daemon);

@@ -2,15 +2,20 @@
 // Copyright The scipd authors
 //
 // Draws the pictures of the page in docs/: pictures.js FOLDER, by way of `run`.
+import {mkdtempSync, rmSync} from 'node:fs';
+import {tmpdir} from 'node:os';
 import path from 'node:path';
 import {chromium} from '@playwright/test';
 import config from './playwright.config.js';
 import {Daemon, scene} from './daemon.js';
 import {Scip} from './scip.js';
+import {fleet, namesOf} from './rigs.js';
 
 const MAZE = ['--pose', '4.2,9,0.5', '--accuracy', 'sensor'];
 const DEPOT = ['--scene', scene('depot.sdf'), '--accuracy', 'sensor', '--pose', '8,6,2'];
+const MATERIALS = ['--scene', scene('materials.sdf'), '--mount', '0,0,0.3,0,0,0', '--accuracy', 'material'];
 const WIDE = {width: 1280, height: 760};
+const work = mkdtempSync(path.join(tmpdir(), 'scipd-pictures-'));
 
 const PICTURES = [
   {name: 'page_light', world: MAZE, hash: '#eye=3.2,2.6,6.2&at=5.2,8.9,0&select=robots:robot', size: WIDE,
@@ -20,6 +25,11 @@ const PICTURES = [
   {name: 'page_phone', world: MAZE, hash: '#eye=1.6,2.5,7&at=5,9.6,0', size: {width: 375, height: 740}, theme: 'light'},
   {name: 'page_depot', world: DEPOT, hash: '#panel=world&eye=-7.5,-10.5,11&at=0.6,-0.4,0.4', size: WIDE,
     theme: 'light'},
+  {name: 'page_many', world: fleet(work, 10), hash: `#eye=-1.5,-4,17&at=7.2,6.4,0&show=${namesOf(10).join()}`,
+    size: WIDE, theme: 'light', requests: ['MD0000108000000'],
+    faults: {'robot0/left': {kind: 'cut', how: 'silent', for: {s: 1000}}, 'robot6/front': {kind: 'stall'}}},
+  {name: 'page_materials', world: MATERIALS, hash: '#eye=0.5,-5,12&at=2,0.3,0.3&paint=material', size: WIDE,
+    theme: 'dark', requests: ['MD0000108000000']},
 ];
 
 async function talk(daemon, requests) {
@@ -32,8 +42,9 @@ async function talk(daemon, requests) {
   return scip;
 }
 
-async function draw(browser, folder, {name, world, hash, size, theme, requests = []}) {
+async function draw(browser, folder, {name, world, hash, size, theme, requests = [], faults = {}}) {
   const daemon = await Daemon.start(world);
+  for (const [sensor, fault] of Object.entries(faults)) await daemon.post(`/sensors/${sensor}/faults`, fault);
   const page = await browser.newPage({viewport: size, colorScheme: theme});
   await page.goto(daemon.address + hash);
   await page.locator('#legend').waitFor();
@@ -51,3 +62,4 @@ const folder = process.argv[2];
 const browser = await chromium.launch(config.use.launchOptions);
 for (const picture of PICTURES) await draw(browser, folder, picture);
 await browser.close();
+rmSync(work, {recursive: true});

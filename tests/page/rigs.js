@@ -9,6 +9,11 @@ import {scene} from './daemon.js';
 const PLACES = [[1, 1], [4.2, 9], [13.8, 3], [7, 5], [10, 12], [2, 13], [6, 2], [9, 9], [12, 7], [3, 5]];
 const YAWS = {front: 0, left: 2.1, right: -2.1};
 
+/** What they are called. */
+export function namesOf(robots) {
+  return Array.from({length: robots}, (_, i) => Object.keys(YAWS).map((name) => `robot${i}/${name}`)).flat();
+}
+
 /** Options of a scipd with three scanners on each of so many robots. */
 export function fleet(folder, robots) {
   const wanted = PLACES.slice(0, robots).map(([x, y], i) => [`robot${i}`, {

@@ -7,14 +7,21 @@ import {byId, tell} from './elements.js';
 export class Header {
   constructor({status, connection}) {
     Object.assign(this, {status, connection});
-    this.lostWhy = null;
+    this.isBegun = false;
     connection.addEventListener('open', () => this.found());
     connection.addEventListener('lost', () => this.lost('The connection is lost.'));
     status.addEventListener('lost', (event) => this.lost(event.detail));
     status.addEventListener('changed', () => this.update());
   }
 
+  /** From now on the page can be used. */
+  begin() {
+    this.isBegun = true;
+    if (this.connection.isOpen) this.found();
+  }
+
   found() {
+    if (!this.isBegun) return;
     byId('state').className = 'chip good';
     tell(byId('state'), 'live');
     byId('lost').hidden = true;

@@ -92,7 +92,7 @@ page.tape = new Tape(page);
 page.addDialog = new AddDialog(page.edits, page.world);
 page.tabs = new Tabs(byId('tabs'), page.settings);
 page.theme = new Theme(page);
-new Header(page);
+page.header = new Header(page);
 new Legend(page);
 new Dodge(page);
 new SensorsPanel(page);
@@ -156,6 +156,7 @@ async function begin() {
   choose();
   await world;
   look();
+  page.header.begin();
 }
 
 begin().catch((error) => page.notices.trouble(`The page cannot begin: ${error.message}`));

@@ -7,8 +7,8 @@ import * as colours from './colours.js';
 import {objectOf, returnedMaterial, returnedRange, sentRange} from './scan_shape.js';
 
 export const PAINTS = [
-  ['auto', 'Range or sensor'], ['range', 'Range'], ['intensity', 'Intensity'], ['material', 'Material'],
-  ['object', 'Object'], ['sensor', 'Sensor'], ['error', 'Error, sent − returned'],
+  ['auto', 'Range or sensor'], ['intensity', 'Intensity'], ['material', 'Material'], ['object', 'Object'],
+  ['error', 'Error, sent − returned'], ['range', 'Range'], ['sensor', 'Sensor'],
 ];
 const PLAIN = [0.2, 0.75, 1];
 // Enough of all values to find the usual ones.

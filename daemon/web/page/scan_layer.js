@@ -7,7 +7,7 @@ import {Group} from './three.module.js';
 import {Fan} from './fan.js';
 import {LineMarks, PointMarks} from './marks.js';
 import {Trail} from './trail.js';
-import {endOf, isHit, reachOf} from './reach.js';
+import {Reach} from './reach.js';
 import {firstEcho, sentRange, shapeOf} from './scan_shape.js';
 
 const GREEN = [0.10, 0.72, 0.25];
@@ -79,8 +79,9 @@ export class ScanLayer {
     this.drawHits();
     this.drawTruths();
     this.drawEchoes();
-    this.drawRays();
-    this.drawFan();
+    const reach = new Reach(this.scan, this.shape, this.world);
+    this.drawRays(reach);
+    this.drawFan(reach);
     for (const marks of this.marks()) marks.setThrough(this.settings.get('through'));
   }
 
@@ -129,25 +130,24 @@ export class ScanLayer {
     this.echoes.show(count);
   }
 
-  drawRays() {
-    const {scan, shape} = this;
+  drawRays(reach) {
+    const {beams} = this.scan;
     const [isWanted, goesOn] = [this.isChosen && this.settings.get('rays'), this.settings.get('behind')];
-    const every = Math.ceil(scan.beams / MOST_RAYS);
-    this.rays.reserve(4 * Math.ceil(scan.beams / every));
+    const every = Math.ceil(beams / MOST_RAYS);
+    this.rays.reserve(4 * Math.ceil(beams / every));
     let at = 0;
-    for (let i = 0; isWanted && i < scan.beams; i += every) {
-      const reach_m = reachOf(scan, shape, i, this.world);
+    for (let i = 0; isWanted && i < beams; i += every) {
+      const reach_m = reach.of(i);
       at = this.line(at, i, 0, reach_m, GREEN, NEAR_OPACITY, FAR_OPACITY);
-      if (!goesOn || !isHit(scan, i)) continue;
-      at = this.line(at, i, reach_m, endOf(scan, shape, i, this.world), RED, FAR_OPACITY, 0);
+      if (goesOn && reach.isHit(i)) at = this.line(at, i, reach_m, reach.end(i), RED, FAR_OPACITY, 0);
     }
     this.rays.show(at);
   }
 
   /** A picture has a frustum instead, and a cone its few rays. */
-  drawFan() {
+  drawFan(reach) {
     const isWanted = this.scan.kind === 'scan' && !this.isChosen && this.settings.get('fans');
-    if (isWanted) this.fan.show(this.shape, (i) => reachOf(this.scan, this.shape, i, this.world));
+    if (isWanted) this.fan.show(this.shape, (i) => reach.of(i));
     else this.fan.hide();
   }
 
