@@ -106,7 +106,8 @@ test('watches steps over time', async ({page, start}) => {
     await page.locator('#watch').click();
   }
   await expect(page.locator('#watched li')).toHaveCount(2);
-  const count = async () => Number((await page.locator('#watched li').first().textContent()).match(/(\d+) scans/)[1]);
+  const first = page.locator('#watched li').first();
+  const count = async () => Number((await first.textContent()).match(/(\d+) scans/)?.[1] ?? 0);
   await expect.poll(count).toBeGreaterThan(20);
   await page.locator('#canvas').press('h');
   await expect(page.locator('#timeline')).toBeVisible();

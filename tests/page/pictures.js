@@ -18,6 +18,8 @@ const PICTURES = [
   {name: 'page_dark', world: MAZE, hash: '#eye=1.2,4.2,3.6&at=4.6,9.3,0&paint=material&panel=wire', size: WIDE,
     theme: 'dark', requests: ['VV', 'PP', 'MD0000108001005', 'GD0000200000']},
   {name: 'page_phone', world: MAZE, hash: '#eye=1.6,2.5,7&at=5,9.6,0', size: {width: 375, height: 740}, theme: 'light'},
+  {name: 'page_inspect', world: MAZE, hash: '#eye=3.2,2.6,6.2&at=5.2,8.9,0&panel=inspect',
+    size: {width: 1280, height: 1120}, theme: 'light', watched: [300, 560]},
   {name: 'page_depot', world: DEPOT, hash: '#panel=world&eye=-7.5,-10.5,11&at=0.6,-0.4,0.4', size: WIDE,
     theme: 'light'},
 ];
@@ -32,13 +34,27 @@ async function talk(daemon, requests) {
   return scip;
 }
 
-async function draw(browser, folder, {name, world, hash, size, theme, requests = []}) {
+/** Steps of the scanner over some seconds in which the robot turns. */
+async function watch(page, daemon, steps) {
+  for (const step of steps) {
+    await page.locator('#inspect-step').fill(String(step));
+    await page.locator('#inspect-step').press('Enter');
+    await page.locator('#watch').click();
+  }
+  for (let k = 0; k < 40; ++k) {
+    await daemon.put('/robots/robot/pose', {xyz: [4.2, 9, 0], rpy: [0, 0, 0.5 + 0.3 * Math.sin(k / 6)]});
+    await page.waitForTimeout(400);
+  }
+}
+
+async function draw(browser, folder, {name, world, hash, size, theme, requests = [], watched = []}) {
   const daemon = await Daemon.start(world);
   const page = await browser.newPage({viewport: size, colorScheme: theme});
   await page.goto(daemon.address + hash);
   await page.locator('#legend').waitFor();
   await page.waitForTimeout(1000);
   const scip = await talk(daemon, requests);
+  if (watched.length) await watch(page, daemon, watched);
   // The rates of the panels need two answers.
   await page.waitForTimeout(3500);
   await page.screenshot({path: path.join(folder, `${name}.png`)});

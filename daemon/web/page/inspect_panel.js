@@ -96,7 +96,8 @@ export class InspectPanel {
     const newest_s = kept[kept.length - 1]?.got_s ?? 0;
     const looksAt_s = this.past.isPaused ? this.past.looksAt_s : null;
     const steps = this.watched.steps.map(({step, colour}) => ({step, colour}));
-    if (cursor !== null) steps.push({step: scan.first_step + cursor, colour: 'cursor'});
+    const looked = cursor === null ? null : scan.first_step + cursor;
+    if (looked !== null && !steps.some(({step}) => step === looked)) steps.push({step: looked, colour: 'cursor'});
     byId('over-time-none').hidden = steps.length > 0;
     const curves = (valueOf, dash) => steps.map(({step, colour}) =>
       ({colour: this.colour(colour), dash, points: pointsOf(kept, step, valueOf)}));
