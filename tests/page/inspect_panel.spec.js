@@ -168,6 +168,15 @@ test('stands still, looks back, and goes on', async ({page, start}) => {
   await plot.click({position: {x: width - 9, y: 60}});
   await expect(True).toContainText('2.000 m');
 
+  // What is no longer shown cannot be looked at.
+  await page.getByRole('tab', {name: 'Sensors'}).click();
+  const box = page.getByLabel(`Show the scans of ${SENSOR}`);
+  await box.uncheck();
+  await expect(page.locator('#timeline')).toBeHidden();
+  await box.check();
+  await page.getByRole('tab', {name: 'Inspect'}).click();
+  await expect(page.locator('#inspect-scan')).toBeVisible();
+  await page.locator('#canvas').press('h');
   await page.locator('#timeline-live').click();
   await expect(page.locator('#timeline')).toBeHidden();
   await expect(True).toContainText('5.000 m');

@@ -23,9 +23,13 @@ export class Pointed {
 
   /** A target of an Inspection, or null. */
   at(event) {
-    const face = this.faceAt(event);
     const pointer = this.pixelOf(event);
-    return this.pointAt(pointer, face) || this.rayAt(pointer) || (face?.object ? face : null);
+    // It takes longest to look for a face.
+    const front = this.settings.get('through') ? null : this.faceAt(event);
+    const beam = this.pointAt(pointer, front) || this.rayAt(pointer);
+    if (beam) return beam;
+    const face = front || this.faceAt(event);
+    return face?.object ? face : null;
   }
 
   /** The place in W that the pointer is on: of a point that was sent, of a face, or of the ground; or null. */
