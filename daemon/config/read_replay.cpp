@@ -55,7 +55,7 @@ ReplayConfig read_replay(const sim::YamlField& field, const std::filesystem::pat
     section.read("speed", replay.speed, parse_speed);
     section.read("from_s", replay.from, parse_span);
     section.read("begins_s", replay.begins, parse_begins);
-    if (const Field* begins = section.find("begins_s"); begins && section.find("from_s"))
+    if (const sim::YamlField* begins = section.find("begins_s"); begins && section.find("from_s"))
         faults.add(*begins, "give begins_s or from_s, not both");
     return replay;
 }

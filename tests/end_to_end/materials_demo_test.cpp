@@ -129,8 +129,8 @@ TEST_F(MaterialsDemo, IsDrawnInTheColoursOfItsTruth) {
     };
     const Outcome materials = plot({"--color", "material", "--echoes"});
     EXPECT_EQ(materials.exit_code, 0) << materials.err;
-    EXPECT_THAT(materials.out, AllOf(HasSubstr(" white_paper\n"), HasSubstr(" reflective_tape\n"),
-                                     HasSubstr(" glass\n"), HasSubstr("second echo")));
+    EXPECT_THAT(materials.out, AllOf(HasSubstr(" white_paper"), HasSubstr(" reflective_tape"),
+                                     HasSubstr(" glass"), HasSubstr("second echo")));
     const Outcome errors = plot({"--color", "error", "--truth", "robot/multi"});
     EXPECT_EQ(errors.exit_code, 0) << errors.err;
     EXPECT_THAT(errors.out, HasSubstr("sent - true, mm: -"));

@@ -106,7 +106,8 @@ test('watches steps over time', async ({page, start}) => {
     await page.locator('#watch').click();
   }
   await expect(page.locator('#watched li')).toHaveCount(2);
-  const count = async () => Number((await page.locator('#watched li').first().textContent()).match(/(\d+) scans/)[1]);
+  const first = page.locator('#watched li').first();
+  const count = async () => Number((await first.textContent()).match(/(\d+) scans/)?.[1] ?? 0);
   await expect.poll(count).toBeGreaterThan(20);
   await page.locator('#canvas').press('h');
   await expect(page.locator('#timeline')).toBeVisible();
@@ -167,6 +168,15 @@ test('stands still, looks back, and goes on', async ({page, start}) => {
   await plot.click({position: {x: width - 9, y: 60}});
   await expect(True).toContainText('2.000 m');
 
+  // What is no longer shown cannot be looked at.
+  await page.getByRole('tab', {name: 'Sensors'}).click();
+  const box = page.getByLabel(`Show the scans of ${SENSOR}`);
+  await box.uncheck();
+  await expect(page.locator('#timeline')).toBeHidden();
+  await box.check();
+  await page.getByRole('tab', {name: 'Inspect'}).click();
+  await expect(page.locator('#inspect-scan')).toBeVisible();
+  await page.locator('#canvas').press('h');
   await page.locator('#timeline-live').click();
   await expect(page.locator('#timeline')).toBeHidden();
   await expect(True).toContainText('5.000 m');

@@ -56,6 +56,15 @@ for (const theme of ['light', 'dark']) {
       expect(await page.evaluate(poorContrasts), panel).toEqual([]);
       expect(await page.evaluate(withoutName), panel).toEqual([]);
     }
+    await page.getByRole('tab', {name: 'Inspect'}).click();
+    await page.locator('#inspect-step').fill('540');
+    await page.locator('#inspect-step').press('Enter');
+    await page.locator('#watch').click();
+    await page.locator('#canvas').press('h');
+    for (const id of ['reading', 'timeline', 'watched']) await expect(page.locator(`#${id}`)).toBeVisible();
+    // A button that is pressed changes its colour in a moment.
+    await expect.poll(() => page.evaluate(poorContrasts), 'what is inspected').toEqual([]);
+    expect(await page.evaluate(withoutName), 'what is inspected').toEqual([]);
   });
 }
 

@@ -3,9 +3,11 @@
 #include "tools/scipbench/capacity_chart.h"
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <stdexcept>
 
+#include "tools/local_time.h"
 #include "tools/scipbench/capacity_report.h"
 #include "tools/scipbench/plot_area.h"
 
@@ -43,20 +45,21 @@ void draw_capacity(const std::vector<CapacityRun>& runs, const StageCosts& costs
                    const std::string& title, const std::string& machine,
                    const std::filesystem::path& file) {
     const std::vector<Curve> curves{
-        {"scipd", colours::wall,
+        {"all of scipd", colours::wall,
          [](const CapacityRun& run) { return share_of_all(run.scipd_use); }},
-        {"the reader", colours::scanner,
+        {"the reader, which takes all scans", colours::scanner,
          [](const CapacityRun& run) { return share_of_all(run.reader_use); }},
-        {"bare casts of all scans", colours::ink,
+        {"the casts of these scans alone, measured without scipd", colours::ink,
          [&](const CapacityRun& run) { return bare_share(run, costs); }}};
     const std::vector<CapacityRun> sorted = by_number(runs);
     if (sorted.empty()) return;
-    Page page(file, PlotArea::page_height(curves.size()));
+    Page page(file, PlotArea::page_height(curves.size() + 1));
     PlotArea area(page, {0.0, 1.05 * sorted.back().scanners, false}, {0.0, 1.0, false});
-    area.title(title, machine + "; grey: scans were lost, or ever later");
+    area.title(title, machine + "; " + local_time(std::chrono::system_clock::now()));
     area.grid("scanners", "share of all cores");
     for (const Curve& curve : curves)
         draw_curve(area, curve, sorted);
+    area.legend_of_dot("scans were lost, or came ever later", colours::faint_ink, 2.5);
     if (const auto why = page.finish()) throw std::runtime_error(file.string() + ": " + *why);
 }
 

@@ -11,7 +11,7 @@ namespace scipd::tools {
 namespace {
 
 constexpr double left = 90.0;
-constexpr double top = 100.0;
+constexpr double top = 108.0;
 constexpr double width = Page::width - left - 40.0;
 constexpr double height = 700.0;
 constexpr double legend_top = top + height + 84.0;
@@ -75,30 +75,13 @@ double PlotArea::aspect() {
 }
 
 PlotArea::PlotArea(Page& page, const AxisRange& x, const AxisRange& y)
-    : context_(page.context()), x_(x), y_(y) {
+    : page_(page), context_(page.context()), x_(x), y_(y) {
     use(context_, colours::paper);
     cairo_paint(context_);
 }
 
 Place PlotArea::on_page(const Place& value) const {
     return {left + width * x_.share(value.x), top + height * (1.0 - y_.share(value.y))};
-}
-
-double PlotArea::length_of(const std::string& text, double size) {
-    cairo_select_font_face(context_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                           CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(context_, size);
-    cairo_text_extents_t extents;
-    cairo_text_extents(context_, text.c_str(), &extents);
-    return extents.x_advance;
-}
-
-void PlotArea::write(const std::string& text, const Place& at, double size, double anchor,
-                     const Colour& colour) {
-    const double length = length_of(text, size);
-    cairo_move_to(context_, at.x - anchor * length, at.y);
-    use(context_, colour);
-    cairo_show_text(context_, text.c_str());
 }
 
 void PlotArea::numbers(const AxisRange& axis, bool along_x) {
@@ -108,7 +91,8 @@ void PlotArea::numbers(const AxisRange& axis, bool along_x) {
         cairo_line_to(context_, along_x ? at.x : left + width, along_x ? top : at.y);
         stroke(context_, colours::ring, 0.8, false);
         const Place label = along_x ? Place{at.x, at.y + 22.0} : Place{at.x - 8.0, at.y + 5.0};
-        write(number(value), label, 15.0, along_x ? 0.5 : 1.0, colours::faint_ink);
+        page_.write(number(value), label.x, label.y,
+                    {15.0, colours::faint_ink, along_x ? 0.5 : 1.0});
     }
 }
 
@@ -117,13 +101,12 @@ void PlotArea::grid(const std::string& x_title, const std::string& y_title) {
     numbers(y_, false);
     cairo_rectangle(context_, left, top, width, height);
     stroke(context_, colours::frame, 1.5, false);
-    write(x_title, {left + width / 2.0, top + height + 48.0}, 16.0, 0.5, colours::ink);
-    write(y_title, {left, top - 10.0}, 16.0, 0.0, colours::ink);
+    page_.write(x_title, left + width / 2.0, top + height + 48.0, {16.0, colours::ink, 0.5});
+    page_.write(y_title, left, top - 10.0, {16.0});
 }
 
 void PlotArea::line(const std::vector<Place>& values, const Colour& colour, double line_width,
                     bool dashed) {
-    cairo_new_path(context_);  // showing text leaves a point behind
     for (const Place& value : values) {
         const Place at = on_page(value);
         cairo_line_to(context_, at.x, at.y);
@@ -131,16 +114,19 @@ void PlotArea::line(const std::vector<Place>& values, const Colour& colour, doub
     stroke(context_, colour, line_width, dashed);
 }
 
-void PlotArea::dot(const Place& value, const Colour& colour, double radius) {
-    const Place at = on_page(value);
-    cairo_rectangle(context_, at.x - radius, at.y - radius, 2.0 * radius, 2.0 * radius);
+void PlotArea::fill_square(const Place& middle, const Colour& colour, double radius) {
+    cairo_rectangle(context_, middle.x - radius, middle.y - radius, 2.0 * radius, 2.0 * radius);
     use(context_, colour);
     cairo_fill(context_);
 }
 
+void PlotArea::dot(const Place& value, const Colour& colour, double radius) {
+    fill_square(on_page(value), colour, radius);
+}
+
 std::size_t PlotArea::line_end(const std::string& text, double size) {
     std::size_t end = text.size();
-    while (length_of(text.substr(0, end), size) > width) {
+    while (page_.length_of(text.substr(0, end), size) > width) {
         end = text.rfind(' ', end - 1);
         if (end == text.npos || end == 0) return 0;
     }
@@ -149,28 +135,44 @@ std::size_t PlotArea::line_end(const std::string& text, double size) {
 
 void PlotArea::title(const std::string& text, const std::string& below) {
     double size = 22.0;
-    while (length_of(text, size) > width)
+    while (page_.length_of(text, size) > width)
         size *= smaller;
-    write(text, {left, 36.0}, size, 0.0, colours::ink);
+    page_.write(text, left, 36.0, {size});
 
     size = 13.0;
-    while (length_of(below.substr(line_end(below, size)), size) > width)
+    while (page_.length_of(below.substr(line_end(below, size)), size) > width)
         size *= smaller;
+    const TextStyle style{size, colours::faint_ink};
     const std::size_t end = line_end(below, size);
-    write(below.substr(0, end), {left, 58.0}, size, 0.0, colours::faint_ink);
+    page_.write(below.substr(0, end), left, 58.0, style);
     const std::size_t rest = std::min(below.find_first_not_of(' ', end), below.size());
-    write(below.substr(rest), {left, 74.0}, size, 0.0, colours::faint_ink);
+    page_.write(below.substr(rest), left, 74.0, style);
+}
+
+Place PlotArea::next_legend() {
+    const Place begin{left + (legend_lines_ / legend_rows) * (width / 2.0),
+                      legend_top + (legend_lines_ % legend_rows) * legend_line};
+    ++legend_lines_;
+    return begin;
+}
+
+void PlotArea::name_legend(const Place& begin, const std::string& text) {
+    page_.write(text, begin.x + 50.0, begin.y, {13.0});
 }
 
 void PlotArea::legend(const std::string& text, const Colour& colour, double line_width,
                       bool dashed) {
-    const double x = left + (legend_lines_ / legend_rows) * (width / 2.0);
-    const double y = legend_top + (legend_lines_ % legend_rows) * legend_line;
-    ++legend_lines_;
-    cairo_move_to(context_, x, y - 5.0);
-    cairo_line_to(context_, x + 40.0, y - 5.0);
+    const Place begin = next_legend();
+    cairo_move_to(context_, begin.x, begin.y - 5.0);
+    cairo_line_to(context_, begin.x + 40.0, begin.y - 5.0);
     stroke(context_, colour, line_width, dashed);
-    write(text, {x + 50.0, y}, 13.0, 0.0, colours::ink);
+    name_legend(begin, text);
+}
+
+void PlotArea::legend_of_dot(const std::string& text, const Colour& colour, double radius) {
+    const Place begin = next_legend();
+    fill_square({begin.x + 20.0, begin.y - 5.0}, colour, radius);
+    name_legend(begin, text);
 }
 
 }  // namespace scipd::tools

@@ -41,18 +41,21 @@ class PlotArea {
     void dot(const Place& value, const Colour& colour, double radius);
     /// Writes the title in a size that fits, and `below` on two lines if it must.
     void title(const std::string& text, const std::string& below);
-    /// Adds a line to the legend under the frame.
+    /// Adds a line to the legend under the frame, for a line or for dots in it.
     void legend(const std::string& text, const Colour& colour, double width, bool dashed);
+    void legend_of_dot(const std::string& text, const Colour& colour, double radius);
 
   private:
     [[nodiscard]] Place on_page(const Place& value) const;
-    void write(const std::string& text, const Place& at, double size, double anchor,
-               const Colour& colour);
-    [[nodiscard]] double length_of(const std::string& text, double size);
+    void fill_square(const Place& middle, const Colour& colour, double radius);
+    /// Where the next line of the legend begins.
+    [[nodiscard]] Place next_legend();
+    void name_legend(const Place& begin, const std::string& text);
     /// The blank at which to break the text so that the first part fits into one line.
     [[nodiscard]] std::size_t line_end(const std::string& text, double size);
     void numbers(const AxisRange& axis, bool along_x);
 
+    Page& page_;
     cairo_t* context_;
     AxisRange x_;
     AxisRange y_;

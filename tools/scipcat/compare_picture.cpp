@@ -163,7 +163,7 @@ void draw_comparison(const std::filesystem::path& file, const Comparison& compar
     const auto a = comparing::points_of(comparison, true);
     const auto b = comparing::points_of(comparison, false);
     const TopView view = view_of(a, b);
-    const Sheet sheet(page.context(), view);
+    const Sheet sheet(page, view);
     cairo_rectangle(page.context(), 0, 0, Page::width, height);
     sheet.fill(colours::paper);
     draw_from_above(sheet, view, comparison, a, b);

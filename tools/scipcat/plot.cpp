@@ -42,7 +42,9 @@ struct PlotOptions {
     }
 };
 
-PlotText text_of(const PlotSubject& subject, const TopView& view, const std::string& title) {
+/// seed: empty if it is not known.
+PlotText text_of(const PlotSubject& subject, const TopView& view, const std::string& title,
+                 const std::string& seed) {
     std::ostringstream scan;
     scan << view.points.size() << " points in " << view.directions << " directions";
     if (!view.further.empty()) scan << ", " << view.further.size() << " farther echoes";
@@ -52,7 +54,7 @@ PlotText text_of(const PlotSubject& subject, const TopView& view, const std::str
         .title = !title.empty()  ? title
                  : model.empty() ? "a recorded scan"
                                  : model,
-        .scanner = scanner_text(subject),
+        .scanner = scanner_text(subject) + (seed.empty() ? "" : "  ·  seed " + seed),
         .scan = scan.str(),
     };
 }
@@ -60,7 +62,7 @@ PlotText text_of(const PlotSubject& subject, const TopView& view, const std::str
 void draw_file(const std::filesystem::path& file, const TopView& view, const Colouring& colouring,
                const PlotText& text) {
     Page page(file, height_of_polar_plot(view, colouring));
-    draw_polar_plot(page.context(), view, colouring, text);
+    draw_polar_plot(page, view, colouring, text);
     if (const auto trouble = page.finish()) {
         throw std::runtime_error("cannot write " + file.string() + ": " + *trouble);
     }
@@ -83,10 +85,14 @@ void plot(PlotOptions options) {
     const PlotSubject subject =
         is_recording(target) ? subject_of(target, options.number) : take_scan(options);
     TopView view = make_top_view(subject.scan, subject.identity);
-    if (options.need_truth())
-        add_truth(view, ask_truth(options.truth, target, *subject.scan.stamp_ms));
+    std::string seed;
+    if (options.need_truth()) {
+        const Truth truth = ask_truth(options.truth, target, *subject.scan.stamp_ms);
+        add_truth(view, truth);
+        seed = truth.seed;
+    }
     const Colouring colouring = colour_points(view, options.colour);
-    const PlotText text = text_of(subject, view, options.title);
+    const PlotText text = text_of(subject, view, options.title, seed);
     if (options.file.empty()) {
         SafeOutput::write_as_is(std::cout, terminal_plot(view, colouring, text, terminal_size()));
     } else {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "daemon/recording/scip_values.h"
+#include "tools/local_time.h"
 #include "tools/options.h"
-#include "tools/scipcat/local_time.h"
 #include "tools/scipcat/recording_target.h"
 
 namespace scipd::tools {

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "tools/colours.h"
-#include "tools/page.h"
 #include "tools/scipcat/legend.h"
 #include "tools/scipcat/marks.h"
 #include "tools/scipcat/ring_labels.h"
@@ -124,9 +123,10 @@ double height_of_polar_plot(const TopView& view, const Colouring& colouring) {
     return Page::height + height_of_names(view, colouring.legend);
 }
 
-void draw_polar_plot(cairo_t* context, const TopView& view, const Colouring& colouring,
+void draw_polar_plot(Page& page, const TopView& view, const Colouring& colouring,
                      const PlotText& text) {
-    const Sheet sheet(context, view);
+    cairo_t* const context = page.context();
+    const Sheet sheet(page, view);
     cairo_rectangle(context, 0.0, 0.0, Page::width, height_of_polar_plot(view, colouring));
     sheet.fill(colours::paper);
 

@@ -10,8 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/local_time.h"
 #include "tools/options.h"
-#include "tools/scipcat/local_time.h"
 #include "tools/scipcat/recording_summary.h"
 #include "tools/scipcat/recording_target.h"
 

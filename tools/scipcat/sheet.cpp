@@ -8,19 +8,13 @@
 namespace scipd::tools {
 namespace {
 
-void choose_font(cairo_t* context, double size, bool bold) {
-    cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(context, size);
-}
-
 void use(cairo_t* context, const Colour& colour) {
     cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, colour.opacity);
 }
 
 }  // namespace
 
-Sheet::Sheet(cairo_t* context, const TopView& view) : context_(context), bounds_(view.bounds) {
+Sheet::Sheet(Page& page, const TopView& view) : page_(page), bounds_(view.bounds) {
     const double longer_m = std::max(bounds_.width_m(), bounds_.height_m());
     units_per_m_ = side / longer_m;
     constexpr double rings_across = 10.0;
@@ -51,39 +45,25 @@ bool Sheet::holds(Spot spot, double border) const {
 }
 
 void Sheet::stroke(const Colour& colour, double width) const {
-    use(context_, colour);
-    cairo_set_line_width(context_, width);
-    cairo_stroke(context_);
+    use(context(), colour);
+    cairo_set_line_width(context(), width);
+    cairo_stroke(context());
 }
 
 void Sheet::fill(const Colour& colour) const {
-    use(context_, colour);
-    cairo_fill(context_);
+    use(context(), colour);
+    cairo_fill(context());
 }
 
 void Sheet::write(const std::string& text, Spot spot, double size, const Colour& colour,
                   double anchor, bool bold) const {
-    choose_font(context_, size, bold);
-    cairo_text_extents_t extents;
-    cairo_text_extents(context_, text.c_str(), &extents);
-    move_to({spot.x - anchor * extents.x_advance, spot.y});
-    use(context_, colour);
-    cairo_show_text(context_, text.c_str());
+    page_.write(text, spot.x, spot.y, {size, colour, anchor, bold});
 }
 
 void Sheet::write_label(const std::string& text, Spot spot, double size) const {
-    constexpr double rim = 4.0;
-    choose_font(context_, size, false);
-    cairo_text_extents_t extents;
-    cairo_text_extents(context_, text.c_str(), &extents);
-    move_to({spot.x - extents.x_bearing - extents.width / 2.0,
-             spot.y - extents.y_bearing - extents.height / 2.0});
-    cairo_text_path(context_, text.c_str());
-    cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
-    use(context_, {1.0, 1.0, 1.0, 0.9});
-    cairo_set_line_width(context_, rim);
-    cairo_stroke_preserve(context_);
-    fill(colours::faint_ink);
+    constexpr double half_a_digit = 0.36;  // of the size
+    page_.write(text, spot.x, spot.y + half_a_digit * size,
+                {.size = size, .colour = colours::faint_ink, .anchor = 0.5, .rimmed = true});
 }
 
 }  // namespace scipd::tools

@@ -15,6 +15,7 @@
 #include <cairo.h>
 
 #include "tools/colours.h"
+#include "tools/page.h"
 #include "tools/scipcat/top_view.h"
 
 namespace scipd::tools {
@@ -31,9 +32,9 @@ class Sheet {
     static constexpr double top = 106.0;
     static constexpr double side = 936.0;  ///< side of the square that holds the view
 
-    Sheet(cairo_t* context, const TopView& view);
+    Sheet(Page& page, const TopView& view);
 
-    [[nodiscard]] cairo_t* context() const { return context_; }
+    [[nodiscard]] cairo_t* context() const { return page_.context(); }
     [[nodiscard]] double ring_m() const { return ring_m_; }
     /// The largest radius at which a ring may be visible.
     [[nodiscard]] double reach_m() const;
@@ -44,8 +45,8 @@ class Sheet {
     /// Whether the spot is in the square, at least `border` from its edge.
     [[nodiscard]] bool holds(Spot spot, double border) const;
 
-    void move_to(Spot spot) const { cairo_move_to(context_, spot.x, spot.y); }
-    void line_to(Spot spot) const { cairo_line_to(context_, spot.x, spot.y); }
+    void move_to(Spot spot) const { cairo_move_to(context(), spot.x, spot.y); }
+    void line_to(Spot spot) const { cairo_line_to(context(), spot.x, spot.y); }
     void stroke(const Colour& colour, double width) const;
     void fill(const Colour& colour) const;
 
@@ -56,7 +57,7 @@ class Sheet {
     void write_label(const std::string& text, Spot spot, double size) const;
 
   private:
-    cairo_t* context_;
+    Page& page_;
     Bounds bounds_;
     double units_per_m_;
     double ring_m_;

@@ -72,8 +72,38 @@ void draw(const TopView& view, const Colouring& colouring, const Projection& pro
     canvas.mark(scanner.x, scanner.y, "▲");
 }
 
-/// One line for each name, or one for a scale.
-std::string legend_text(const TopView& view, const Legend& legend) {
+/// How many places a text takes that has no control characters.
+int width_of(const std::string& text) {
+    return static_cast<int>(std::ranges::count_if(
+        text, [](char part) { return (static_cast<unsigned char>(part) & 0xC0U) != 0x80U; }));
+}
+
+/// As many names in a line as there is room for, and no more lines than `most`.
+std::string names_text(const std::vector<Legend::Name>& names, int columns, int most) {
+    constexpr int of_mark = 2;
+    constexpr int of_more = 14;
+    std::string text;
+    int line = 1;
+    int used = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string name = sim::shown(names[i].text);
+        const int wanted = width_of(name) + of_mark;
+        const int left = columns - used - (line == most && i + 1 < names.size() ? of_more : 0);
+        if (used > 0 && wanted + 2 > left) {
+            if (line == most) return text + "  and " + std::to_string(names.size() - i) + " more\n";
+            text += '\n';
+            ++line;
+            used = 0;
+        }
+        text += (used > 0 ? "  " : "") + in_colour(terminal_colour(names[i].style.colour), "⣿") +
+                " " + name;
+        used += wanted + (used > 0 ? 2 : 0);
+    }
+    return names.empty() ? text : text + '\n';
+}
+
+/// A line for a scale, or some for names.
+std::string legend_text(const TopView& view, const Legend& legend, TerminalSize size) {
     std::string text;
     if (!legend.scale.empty()) {
         text += legend.title + ": " + legend.least + " ";
@@ -81,9 +111,9 @@ std::string legend_text(const TopView& view, const Legend& legend) {
             text += in_colour(terminal_colour(colour), "█");
         text += " " + legend.most + "\n";
     }
-    for (const Legend::Name& name : legend.names)
-        text +=
-            in_colour(terminal_colour(name.style.colour), "⣿") + " " + sim::shown(name.text) + "\n";
+    // With the other lines they leave two thirds of 24 rows to the plot.
+    const int most = size.rows / 8 - (view.further.empty() ? 0 : 1);
+    text += names_text(legend.names, size.columns, std::max(most, 1));
     if (!view.further.empty()) text += "○ second echo  × third echo\n";
     return text;
 }
@@ -105,7 +135,7 @@ std::string scale_bar(double dots_per_m, int columns) {
 
 std::string terminal_plot(const TopView& view, const Colouring& colouring, const PlotText& text,
                           TerminalSize size) {
-    const std::string legend = legend_text(view, colouring.legend);
+    const std::string legend = legend_text(view, colouring.legend, size);
     const int lines_of_text = 5 + static_cast<int>(std::ranges::count(legend, '\n'));
     constexpr int least_rows = 4;
     constexpr double cell_height = 2.0;  // in widths of a cell

@@ -42,6 +42,7 @@ std::string name_of(ControlClient& client, const TruthOptions& options, const st
                              "with --control");
 }
 
+/// That of the sensor itself.
 std::string path_of(const std::string& sensor) {
     const auto slash = sensor.find('/');
     if (slash == std::string::npos) {
@@ -50,7 +51,7 @@ std::string path_of(const std::string& sensor) {
                                  "them");
     }
     return "/sensors/" + path_segment(sensor.substr(0, slash)) + "/" +
-           path_segment(sensor.substr(slash + 1)) + "/truth";
+           path_segment(sensor.substr(slash + 1));
 }
 
 /// Nothing if the scipd does not keep that scan.
@@ -69,7 +70,7 @@ std::string earlier(const std::string& path, const Json& truth) {
 
 /// The scan may no longer be the latest one: others may have asked for more.
 Json find_stamp(ControlClient& client, const std::string& sensor, std::uint32_t stamp_ms) {
-    const std::string path = path_of(sensor);
+    const std::string path = path_of(sensor) + "/truth";
     std::optional<Json> truth = client.get(path);
     while (truth && truth->at("stamp_ms") != stamp_ms)
         truth = find_truth(client, earlier(path, *truth));
@@ -120,12 +121,17 @@ void TruthOptions::find_scipd() {
 
 void announce_question(const TruthOptions& options, const std::string& target) {
     ControlClient client(options.control);
-    (void)find_truth(client, path_of(name_of(client, options, target)));
+    (void)find_truth(client, path_of(name_of(client, options, target)) + "/truth");
 }
 
 Truth ask_truth(const TruthOptions& options, const std::string& target, std::uint32_t stamp_ms) {
     ControlClient client(options.control);
-    return read(find_stamp(client, name_of(client, options, target), stamp_ms));
+    const std::string sensor = name_of(client, options, target);
+    Truth truth = read(find_stamp(client, sensor, stamp_ms));
+    const Json known = client.get(path_of(sensor));
+    // An older scipd does not tell it.
+    if (known.contains("seed")) truth.seed = text(known["seed"]);
+    return truth;
 }
 
 void add_truth(TopView& view, const Truth& truth) {

@@ -25,6 +25,7 @@ struct Truth {
         std::string material;          ///< of what its middle met
         std::vector<Echo> echoes;      ///< empty: none came back, or the scipd knows none
     };
+    std::string seed;  ///< of all that the scanner does by chance
     int first_step = 0;
     std::vector<Step> steps;
 };

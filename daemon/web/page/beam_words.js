@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What a scan says of one of its beams, in words: what was sent, what was true, and why.
-import {firstEcho, materialOf, objectOf, sentRange} from './scan_shape.js';
+import {firstEcho, objectOf, returnedMaterial, sentRange} from './scan_shape.js';
 
 const CAUSES = {
   measured: 'measured',
@@ -83,7 +83,7 @@ export function factsOf(scan, i, nameOf, age_s) {
     ['Intensity', scan.arrays.intensity?.length ? String(scan.arrays.intensity[i]) : null],
     ['Echoes', echoWords(scan, i)],
     ['Cause', causeWords(scan, i)],
-    ['Material', materialOf(scan, i)],
+    ['Material', returnedMaterial(scan, i)],
     ['Object', objectWords(scan, i, nameOf)],
     ['Age', `${age_s.toFixed(2)} s, scan ${scan.scan}`],
   ];

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The chosen scanner in numbers: from above, step by step, and chosen steps over time.
-import {byId, tell} from './elements.js';
+import {boundCheckbox, byId, tell} from './elements.js';
 import {Pace} from './pace.js';
 import {PolarPlot} from './polar_plot.js';
 import {KEPT_S} from './recorder.js';
@@ -25,6 +25,7 @@ export class InspectPanel {
     const seek = (time_s) => past.seek(time_s);
     this.ranges = new TimePlot(byId('ranges-over-time'), {span_s: KEPT_S, least: 0.02}, seek);
     this.intensities = new TimePlot(byId('intensities-over-time'), {span_s: KEPT_S, least: 20}, seek);
+    byId('inspect-on').append(boundCheckbox(settings, 'inspect', 'Read what the pointer is on', 'In the view (I)'));
     this.field = byId('inspect-step');
     this.field.addEventListener('change', () => this.lookAtStep(this.field.valueAsNumber));
     byId('watch').addEventListener('click', () => this.watch());
@@ -96,7 +97,8 @@ export class InspectPanel {
     const newest_s = kept[kept.length - 1]?.got_s ?? 0;
     const looksAt_s = this.past.isPaused ? this.past.looksAt_s : null;
     const steps = this.watched.steps.map(({step, colour}) => ({step, colour}));
-    if (cursor !== null) steps.push({step: scan.first_step + cursor, colour: 'cursor'});
+    const looked = cursor === null ? null : scan.first_step + cursor;
+    if (looked !== null && !steps.some(({step}) => step === looked)) steps.push({step: looked, colour: 'cursor'});
     byId('over-time-none').hidden = steps.length > 0;
     const curves = (valueOf, dash) => steps.map(({step, colour}) =>
       ({colour: this.colour(colour), dash, points: pointsOf(kept, step, valueOf)}));

@@ -10,10 +10,16 @@ export class Past extends EventTarget {
     Object.assign(this, {scans, robots, recorder, poseHistory, settings});
     this.time_s = null;
     this.placing = false;
+    scans.addEventListener('shown', () => this.keepUp());
     robots.addEventListener('moved', () => {
       // Whoever moves a robot wants to see what it does now.
       if (this.isPaused && !this.placing) this.live();
     });
+  }
+
+  /** Nothing is kept of what is no longer shown. */
+  keepUp() {
+    if (this.isPaused && !this.span) this.live();
   }
 
   get isPaused() {

@@ -23,9 +23,13 @@ export class Pointed {
 
   /** A target of an Inspection, or null. */
   at(event) {
-    const face = this.faceAt(event);
     const pointer = this.pixelOf(event);
-    return this.pointAt(pointer, face) || this.rayAt(pointer) || (face?.object ? face : null);
+    // It takes longest to look for a face.
+    const front = this.settings.get('through') ? null : this.faceAt(event);
+    const beam = this.pointAt(pointer, front) || this.rayAt(pointer);
+    if (beam) return beam;
+    const face = front || this.faceAt(event);
+    return face?.object ? face : null;
   }
 
   /** The place in W that the pointer is on: of a point that was sent, of a face, or of the ground; or null. */
@@ -68,7 +72,7 @@ export class Pointed {
   /** Where a place of W is on the canvas, in pixels of the page, or null if it is behind the camera. */
   project(place) {
     const clip = new Vector4(place.x, place.y, place.z, 1).applyMatrix4(this.matrix());
-    return clip.w > NEAREST_W ? this.onCanvas(clip) : null;
+    return clip.w > NEAREST_W ? this.toCanvas()(clip.x, clip.y, clip.w) : null;
   }
 
   matrix() {
@@ -77,31 +81,39 @@ export class Pointed {
     return new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
   }
 
-  onCanvas({x, y, w}) {
+  toCanvas() {
     const {clientWidth, clientHeight} = this.stage.canvas;
-    return {x: (x / w + 1) * clientWidth / 2, y: (1 - y / w) * clientHeight / 2};
+    return (x, y, w) => ({x: (x / w + 1) * clientWidth / 2, y: (1 - y / w) * clientHeight / 2});
   }
 
   pointAt(pointer, face) {
     if (!this.settings.get('points')) return null;
-    const project = this.projector();
-    const seesThrough = this.settings.get('through');
     let best = null;
     let nearest_px = POINT_PX;
     for (const sensor of this.scans.shown) {
       const scan = this.scans.scanOf(sensor);
       if (!scan) continue;
-      for (let i = 0; i < scan.beams; ++i) {
-        const range_m = sentRange(scan, i);
-        if (!(range_m > 0)) continue;
-        const place = project(this.shapeOf(scan), i, range_m);
-        if (!place) continue;
-        const far_px = Math.hypot(place.x - pointer.x, place.y - pointer.y);
-        if (far_px >= nearest_px) continue;
-        if (!seesThrough && face && this.isBehind(this.placeAlong(scan, i, range_m), face)) continue;
-        nearest_px = far_px;
-        best = {kind: 'beam', sensor, i};
-      }
+      const found = this.pointOf(scan, pointer, nearest_px, face);
+      if (!found) continue;
+      nearest_px = found.far_px;
+      best = {kind: 'beam', sensor, i: found.i};
+    }
+    return best;
+  }
+
+  /** {i, far_px} of the point of a scan that is less far away and in sight, or null. */
+  pointOf(scan, pointer, nearest_px, face) {
+    const project = this.projector(this.shapeOf(scan));
+    const seesThrough = this.settings.get('through') || !face;
+    let best = null;
+    for (let i = 0; i < scan.beams; ++i) {
+      const range_m = sentRange(scan, i);
+      const place = range_m > 0 ? project(i, range_m) : null;
+      if (!place) continue;
+      const far_px = Math.hypot(place.x - pointer.x, place.y - pointer.y);
+      if (far_px >= (best?.far_px ?? nearest_px)) continue;
+      if (!seesThrough && this.isBehind(this.placeAlong(scan, i, range_m), face)) continue;
+      best = {i, far_px};
     }
     return best;
   }
@@ -111,15 +123,18 @@ export class Pointed {
     return depth_m(place) > depth_m(front) + BEHIND_M;
   }
 
-  /** project(shape, i, range_m): as project(), but for very many. */
-  projector() {
+  /** A project(i, range_m) along the beams of a shape, for very many. */
+  projector({origins, directions}) {
     const m = this.matrix().elements;
-    return ({origins, directions}, i, range_m) => {
-      const [x, y, z] = [0, 1, 2].map((k) => origins[3 * i + k] + range_m * directions[3 * i + k]);
+    const toCanvas = this.toCanvas();
+    return (i, range_m) => {
+      const at = 3 * i;
+      const x = origins[at] + range_m * directions[at];
+      const y = origins[at + 1] + range_m * directions[at + 1];
+      const z = origins[at + 2] + range_m * directions[at + 2];
       const w = m[3] * x + m[7] * y + m[11] * z + m[15];
       if (w <= NEAREST_W) return null;
-      return this.onCanvas({x: m[0] * x + m[4] * y + m[8] * z + m[12],
-        y: m[1] * x + m[5] * y + m[9] * z + m[13], w});
+      return toCanvas(m[0] * x + m[4] * y + m[8] * z + m[12], m[1] * x + m[5] * y + m[9] * z + m[13], w);
     };
   }
 
@@ -128,12 +143,11 @@ export class Pointed {
     const sensor = this.settings.get('sensor');
     const scan = this.settings.get('rays') && this.scans.scanOf(sensor);
     if (!scan) return null;
-    const project = this.projector();
-    const shape = this.shapeOf(scan);
+    const project = this.projector(this.shapeOf(scan));
     let best = null;
     let nearest_px = RAY_PX;
     for (let i = 0; i < scan.beams; ++i) {
-      const [from, to] = [project(shape, i, 0), project(shape, i, this.reachOf(scan, i))];
+      const [from, to] = [project(i, 0), project(i, this.reachOf(scan, i))];
       if (!from || !to || Math.hypot(from.x - pointer.x, from.y - pointer.y) < MEETING_PX) continue;
       const far_px = distanceToLine(pointer, from, to);
       if (far_px >= nearest_px) continue;

@@ -10,11 +10,14 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include <cairo.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/child.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::tools {
@@ -106,6 +109,53 @@ TEST_F(PlotAreaTest, LeavesTheTitleAboveTheFrame) {
     const int title_bottom = drawn(text, text, 0, false).ink().bottom;
     const int frame_title_top = drawn("", "", 0).ink().top;
     EXPECT_LT(title_bottom, frame_title_top);
+}
+
+/// Where the texts of an SVG stand, as wide and as high as cairo writes them.
+std::vector<cairo_rectangle_t> texts_of(const std::filesystem::path& svg) {
+    const std::regex text(
+        R"re(<text xml:space="preserve" x="([^"]+)" y="([^"]+)".*? font-size="([^"]+)")re"
+        R"re([^>]*?(text-anchor="(middle|end)")?>([^<]+)<)re");
+    const std::string all = tests::read_file(svg);
+    std::vector<cairo_rectangle_t> boxes;
+    Page page(svg.parent_path() / "measure.png");
+    for (std::sregex_iterator it(all.begin(), all.end(), text), end; it != end; ++it) {
+        const std::smatch& found = *it;
+        const double size = std::stod(found[3]);
+        const double length = page.length_of(found[6], size);
+        const double anchor = found[5] == "middle" ? 0.5 : found[5] == "end" ? 1.0 : 0.0;
+        // From above the capital letters to below the small ones.
+        boxes.push_back({std::stod(found[1]) - anchor * length, std::stod(found[2]) - 0.76 * size,
+                         length, size});
+    }
+    return boxes;
+}
+
+bool meet(const cairo_rectangle_t& a, const cairo_rectangle_t& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+           b.y < a.y + a.height;
+}
+
+TEST_F(PlotAreaTest, WritesNoTextOverText) {
+    const auto file = directory_.path() / "picture.svg";
+    Page page(file, PlotArea::page_height(9));
+    PlotArea area(page, {1.0, 1e5, true}, {1e-4, 1e3, true});
+    area.title(repeated("12th Gen. ", 20), repeated("12th Gen. ", 30));
+    area.grid("rays", "ms");
+    for (int i = 0; i < 8; ++i)
+        area.legend("depth buffer, C: Quadro NVS 160M, Windows", colours::wall, 1.0, i % 2 == 0);
+    area.legend_of_dot("the casts of these scans alone, measured without scipd", colours::wall,
+                       4.0);
+    ASSERT_EQ(page.finish(), std::nullopt);
+    const auto boxes = texts_of(file);
+    // Two lines below the title, 6 and 8 numbers, the names of both axes and 9 of the legend.
+    ASSERT_EQ(boxes.size(), 3U + 6U + 8U + 2U + 9U);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        EXPECT_GE(boxes[i].x, 0.0) << i;
+        EXPECT_LE(boxes[i].x + boxes[i].width, Page::width) << i;
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(meet(boxes[i], boxes[k])) << i << " and " << k;
+    }
 }
 
 // A margin of 5 % at most, and no line cut away.

@@ -128,6 +128,24 @@ TEST(ScipcatPlot, DrawsAnSvgWithEveryPoint) {
     EXPECT_EQ(points, room_points(profile));
 }
 
+TEST(ScipcatPlot, LeavesTextInAnSvgAsText) {
+    const RoomScanner scanner(daemon::find_model("UST-10LX").profile);
+    const TempDir directory;
+    const auto file = directory.path() / "room.svg";
+    const Outcome outcome =
+        run_scipcat({"plot", scanner.tcp_target(), "-o", file, "--title", "A & <B>"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string svg = read_file(file);
+    for (const char* const text :
+         {">A &amp; &lt;B&gt;<", ">1 m<", ">x<", ">y<", "1012 points in 1081 directions"})
+        EXPECT_THAT(svg, HasSubstr(text));
+    EXPECT_THAT(svg, Not(HasSubstr("glyph")));
+    const Outcome wrong =
+        run_scipcat({"plot", scanner.tcp_target(), "-o", file, "--title", "no UTF-8: \xff"});
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_THAT(wrong.err, HasSubstr("cannot write"));
+}
+
 TEST(ScipcatPlot, ColoursIntensities) {
     const RoomScanner scanner(daemon::find_model("UTM-30LX").profile);
     const TempDir directory;

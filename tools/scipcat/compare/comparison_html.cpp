@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "tools/markup.h"
 #include "tools/scipcat/compare/comparison_report.h"
 #include "tools/scipcat/compare/comparison_words.h"
 #include "tools/scipcat/compare/svg_parts.h"

@@ -7,12 +7,11 @@
 #include <ctime>
 #include <string>
 
-#include "sim/recording/values/recorded_scan.h"
-
 namespace scipd::tools {
 
 /// As in 2026-01-31 12:00:00, where the user is.
-[[nodiscard]] inline std::string local_time(sim::HostTime time) {
+[[nodiscard]] inline std::string local_time(
+    std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds> time) {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
     const std::time_t unix_s = seconds.time_since_epoch().count();
     std::tm local{};
