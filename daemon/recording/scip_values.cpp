@@ -72,6 +72,12 @@ bool learn_identity(const Message& message, sim::ScannerIdentity& identity) {
         identity.version = entries_of(message);
         return true;
     }
+    if (message.echo == "V" && message.status == "0") {  // of SCIP 1.1
+        identity.version = entries_of(message);
+        identity.serial = value_of(identity.version, "SERI");
+        identity.firmware = value_of(identity.version, "FIRM");
+        return true;
+    }
     if (code == "PP") {
         if (!take_answer(parse_parameters(message), identity)) return false;
         identity.parameters = entries_of(message);

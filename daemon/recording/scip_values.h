@@ -12,7 +12,8 @@
 
 namespace scipd::daemon {
 
-/// Takes over what an answer to VV, PP or II says. False: the message is another one, or damaged.
+/// Takes over what an answer to VV, PP or II says, or to V of SCIP 1.1. False: the message is
+/// another one, or damaged.
 bool learn_identity(const protocol::client::Message& message, sim::ScannerIdentity& identity);
 
 /// Who a scanner is by its answers to VV and PP.

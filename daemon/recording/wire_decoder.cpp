@@ -7,6 +7,7 @@
 
 #include "daemon/recording/scip_values.h"
 #include "protocol/client/scan_message.h"
+#include "protocol/client/scip1_scan.h"
 
 namespace scipd::daemon {
 
@@ -24,9 +25,15 @@ std::vector<sim::RecordedScan> WireDecoder::take(const sim::RecordedBytes& bytes
 
 void WireDecoder::take_message(const Message& message, sim::HostTime time,
                                std::vector<sim::RecordedScan>& scans) {
-    // Of two characters and a sum. That of SCIP 1.1 has one alone, as other texts have, too.
+    // Of two characters and a sum. That of SCIP 1.1 has one alone, as other texts have, too: there
+    // a scan tells.
     if (!message.damage && message.status.size() == 2) ++sound_messages_;
     if (learn_identity(message, identity_)) return;
+    if (const auto scan = protocol::client::parse_scip1_scan(message)) {
+        ++sound_messages_;
+        scans.push_back(recorded_scan(*scan, identity_, time));
+        return scans.back().stamp_ms.reset();
+    }
     const auto request = protocol::client::parse_scan_echo(message.echo);
     if (!request || request->contents != protocol::Contents::distances) return;
     const auto parsed = parse_scan(message);

@@ -20,7 +20,8 @@ class WireDecoder {
     [[nodiscard]] std::vector<sim::RecordedScan> take(const sim::RecordedBytes& bytes);
 
     [[nodiscard]] const sim::ScannerIdentity& identity() const { return identity_; }
-    /// Messages of SCIP 2.0 without a fault; where there are none, it was another conversation.
+    /// Messages of SCIP 2.0 without a fault, and scans of SCIP 1.1; where there are none, it was
+    /// another conversation.
     [[nodiscard]] std::size_t sound_messages() const { return sound_messages_; }
     /// Scans that were damaged, or cut by a gap in the bytes.
     [[nodiscard]] std::size_t damaged_scans() const { return damaged_scans_; }

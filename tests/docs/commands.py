@@ -10,6 +10,7 @@
 #   <!-- beside: scipd ... -->   this scipd runs meanwhile
 #   <!-- ends with 2 -->         the exit code of each command
 #   <!-- file: NAME -->          the block is no commands, but this file
+#   <!-- if built in: COMMAND --> they are run unless this one says that scipd was built without an optional part
 # A drive is played in the world of its name, in which it meets no wall.
 # Each page has a network namespace and an empty folder of its own, so that ports and names are free. What a command
 # calls /tmp is in that folder.
@@ -34,7 +35,8 @@ READY_S = 60
 INSIDE = "SCIPD_DOCS_NAMESPACE"
 SERVES = re.compile(r"(^|\|\s*)(\w+=\S+ )*scipd(?!.*--(check|map|list-models|list-backends|probe|help|version))\b")
 DRIVE = re.compile(r"(?:pose play|--poses) (?:scenes/)?(\w+)\.tum")
-MARKER = re.compile(r"<!-- (not run|beside|ends with|file):? (.*?) -->")
+MARKER = re.compile(r"<!-- (not run|beside|ends with|file|if built in):? (.*?) -->")
+NOT_BUILT_IN = "was built without"
 
 
 class Failure(Exception):
@@ -137,6 +139,10 @@ class Reader:
         if expected is not None and output.splitlines() != expected:
             raise Failure(f"printed\n{output}")
 
+    def lacks(self, command):
+        """An optional part."""
+        return NOT_BUILT_IN in self.start(command, subprocess.STDOUT, subprocess.PIPE).communicate(timeout=COMMAND_S)[0]
+
     def check_drive(self, command):
         drive = DRIVE.search(command)
         if drive is None:
@@ -151,6 +157,8 @@ class Reader:
         if what == "file":
             (self.folder / value).write_text("\n".join(block.text) + "\n")
         if block.language not in ("sh", "console") or what == "not run":
+            return 0
+        if what == "if built in" and self.lacks(value):
             return 0
         if what == "beside":
             self.serve(value)

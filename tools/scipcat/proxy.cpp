@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/recording/create_recording.h"
 #include "tools/options.h"
 #include "tools/output_file.h"
 #include "tools/scipcat/proxy/run_proxy.h"
@@ -53,9 +54,10 @@ void add_proxy_command(CLI::App& program) {
     const CLI::Validator writable(can_be_written, "", "file");
     command
         ->add_option("-o,--output", options->file,
-                     "a recording of all that goes to the scanner and comes from it; an old file "
-                     "is replaced")
-        ->check(ends_in({".mcap"}))
+                     "a recording; an old file is replaced. The ending names the format: .mcap "
+                     "has all that goes to the scanner and comes from it, .ubh, .csv and .jsonl "
+                     "have the scans")
+        ->check(ends_in({sim::recording_endings.begin(), sim::recording_endings.end()}))
         ->check(writable);
     command
         ->add_option("--twin", wanted.twin,

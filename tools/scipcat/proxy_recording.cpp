@@ -3,6 +3,7 @@
 #include "tools/scipcat/proxy_recording.h"
 
 #include <chrono>
+#include <exception>
 #include <iostream>
 #include <stdexcept>
 
@@ -24,10 +25,16 @@ void ProxyRecording::hear(bool to_scanner, sim::HostTime time, std::string_view 
     if (!first_) first_ = time;
     waiting_bytes_ += bytes.size();
     live_.hear(to_scanner, bytes, time);
-    try {
+    attempt([&] {
         if (begun_) return live_.write();
         if (time - *first_ >= patience || waiting_bytes_ > most_waiting_bytes) begin();
-    } catch (const std::runtime_error& error) {
+    });
+}
+
+void ProxyRecording::attempt(const std::function<void()>& write) {
+    try {
+        write();
+    } catch (const std::exception& error) {
         trouble_ = error.what();
         std::cerr << "nothing more is recorded: " << trouble_ << '\n';
     }
@@ -41,8 +48,10 @@ void ProxyRecording::begin() {
 
 void ProxyRecording::finish() {
     if (trouble_.empty()) {
-        if (!begun_) begin();
-        live_.finish();
+        attempt([&] {
+            if (!begun_) begin();
+            live_.finish();
+        });
     }
     std::cerr << live_.scans() << (live_.scans() == 1 ? " scan" : " scans") << " recorded to "
               << file_ << '\n';

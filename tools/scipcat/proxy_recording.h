@@ -2,11 +2,12 @@
 // Copyright The scipd authors
 //
 // A recording of a conversation that somebody else has. It begins a second after the first word, so
-// that it knows by then who the scanner is. Where the disk is full it ends, and the conversation
-// goes on. One thread.
+// that it knows by then who the scanner is. Where the disk is full, or the format has no room for
+// what comes, it ends, and the conversation goes on. One thread.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,7 +18,7 @@ namespace scipd::tools {
 
 class ProxyRecording {
   public:
-    /// `file`: ends in .mcap.
+    /// `file`: its ending is one of sim::recording_endings.
     explicit ProxyRecording(std::string file) : file_(std::move(file)) {}
 
     void hear(bool to_scanner, sim::HostTime time, std::string_view bytes);
@@ -27,6 +28,8 @@ class ProxyRecording {
 
   private:
     void begin();
+    /// Where it fails, that is told, and nothing more is recorded.
+    void attempt(const std::function<void()>& write);
 
     std::string file_;
     LiveRecording live_{0};

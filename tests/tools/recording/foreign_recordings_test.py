@@ -144,6 +144,18 @@ class Captures(OfFiles):
         self.check(info, 7)
         self.assertIn("the capture lacks", info["warnings"][0])
 
+    def test_a_conversation_in_scip_1(self):
+        network = foreign.Network()
+        network.open()
+        network.send(True, b"V\nG00000501\n")
+        network.send(False, b"V\n0\nVEND:Maker\nPROD:Scanner\nFIRM:2.1\nPROT:3\nSERI:B7\nSTAT:Good\n\n")
+        # 20, 64, 4095, 0, 7 and 1000 mm in two characters each; the second is cut, the third is refused.
+        network.send(False, b"G00000501\n0\n0D10oo0007?X\n\n")
+        network.send(False, b"G00000501\n0\n0D10oo\n\nG00000501\nE\n\n")
+        info = self.info(self.path("a.pcap", foreign.pcap(network.packets)))
+        self.assertEqual((info["scans"], info["steps"], info["device"]["serial"], info["device"]["firmware"]),
+                         (1, 6, "B7", "2.1"))
+
     def test_a_conversation_of_others(self):
         network = foreign.Network()
         network.open()

@@ -108,6 +108,20 @@ TEST(WireDecoder, CountsWhatIsDamagedAndGoesOn) {
     EXPECT_EQ(decoder.damaged_scans(), 1U);
 }
 
+TEST(WireDecoder, FindsScansOfScip1) {
+    WireDecoder decoder;
+    const auto scans =
+        decode(decoder,
+               "V\n0\nVEND:Maker\nFIRM:3.0\nSERI:H7\n\nG04404702\n0\n0D?X\n\nG04404702\nE\n\n", 3);
+    ASSERT_THAT(scans, SizeIs(1));
+    EXPECT_THAT(scans[0].ranges, ElementsAre(20, 1000));
+    EXPECT_FALSE(scans[0].stamp_ms);
+    EXPECT_THAT(scans[0].directions.first_step, Optional(44));
+    EXPECT_EQ(scans[0].directions.cluster, 2);
+    EXPECT_EQ(decoder.identity().serial, "H7");
+    EXPECT_EQ(decoder.identity().firmware, "3.0");
+}
+
 TEST(WireDecoder, TellsOtherConversationsApart) {
     WireDecoder decoder;
     EXPECT_THAT(decode(decoder, "HTTP/1.1 200 OK\r\n\r\nhello\n\nworld\n\n"), IsEmpty());

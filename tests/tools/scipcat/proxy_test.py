@@ -6,6 +6,7 @@ What `scipcat proxy` hands on, records and tells: against a scanner of this test
 and ttys. proxy_test.py SCIPCAT
 """
 import contextlib
+import fcntl
 import itertools
 import json
 import os
@@ -16,6 +17,7 @@ import select
 import shutil
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -194,6 +196,7 @@ def hands_on_every_byte():
         with Proxy(scanner.target, door=door) as proxy:
             driver = Driver(proxy.place)
             wait_for(lambda: "the scanner is there" in proxy.said(), proxy.said)
+            wait_for(lambda: make is TtyScanner or scanner.client, "no client")
             said = threading.Thread(target=lambda: [scanner.say(piece) for piece in in_pieces(chance, answers)])
             said.start()
             requests = REQUESTS * 20
@@ -258,6 +261,37 @@ def summed(line):
     return line + bytes([(sum(line) & 0x3F) + 0x30])
 
 
+def follows_the_rate_of_the_line():
+    """What the scanner has agreed to holds behind its answer, in whatever pieces it comes, and nothing else does."""
+    scanner = TtyScanner()
+
+    def rate():
+        """TCGETS2: four words of flags, 20 bytes, and both rates, some of which POSIX has no name for."""
+        return struct.unpack("36x2I", fcntl.ioctl(scanner.slave, 0x802C542A, bytes(44)))[1]
+
+    with Proxy(scanner.target, "--baud", "115200", door="--pty") as proxy:
+        driver = Driver(proxy.place)
+        wait_for(lambda: "the scanner is there" in proxy.said(), proxy.said)
+        for request, answers, wanted in [
+                (b"SS019200\n", [b"SS01", b"9200\n", b"00P", b"\n", b"\n"], 19200),
+                (b"SS999999\n", [b"SS999999\n02R\n\n"], 19200),
+                (b"SS019200\n", [b"SS019200\n03S\n\n"], 19200),
+                (b"S0384000000000\n", [b"S0384000000000\n0\n\n"], 38400),
+                (b"SS500000;x\n", [b"SS115200\n00P\n\n", b"SS500000;x\n00P\n\n"], 500000)]:
+            driver.say(request)
+            wait_for(lambda: scanner.heard[-1].endswith(request), scanner.heard)
+            before = rate()
+            for piece in answers[:-1]:
+                scanner.say(piece)
+                driver.got = b""
+                driver.read_bytes(len(piece))
+                assert rate() == before, (request, piece)
+            scanner.say(answers[-1])
+            wait_for(lambda: rate() == wanted, f"{request}: {rate()}")
+        driver.close()
+    scanner.close()
+
+
 def scan(stamp, steps=1081):
     """A message of MD, as the specification has it: SCIP 2.0, C-42-03320B, p. 9."""
     encoded = bytes([(stamp >> shift & 0x3F) + 0x30 for shift in (18, 12, 6, 0)])
@@ -288,6 +322,27 @@ def records_what_goes_by():
             assert least <= told["scans"] <= 60 and told["steps"] == 1081, told
             assert (told["scans"] == 60) == (how == signal.SIGINT), told
         scanner.close()
+
+
+def records_scans_in_other_formats():
+    """A CSV has rows of one length: where the driver asks for other steps it ends, and the driver is served on."""
+    scanner = Scanner()
+    with tempfile.TemporaryDirectory() as folder:
+        for ending in ("ubh", "csv", "jsonl"):
+            file = pathlib.Path(folder) / f"day.{ending}"
+            with Proxy(scanner.target, "-o", file) as proxy:
+                driver = Driver(proxy.place)
+                wait_for(lambda: scanner.client, "no client")
+                said = scan(0) + scan(25) + scan(50, 700)
+                scanner.say(said)
+                driver.read_bytes(len(said))
+                driver.close()
+                code, _ = proxy.end()
+                assert code == (1 if ending == "csv" else 0), (code, proxy.said())
+                assert ("the same steps" in proxy.said()) == (ending == "csv"), proxy.said()
+            told = info(file)
+            assert told["format"] == ending and told["scans"] == (2 if ending == "csv" else 3), told
+    scanner.close()
 
 
 def records_as_much_as_goes_by():
@@ -350,7 +405,7 @@ def refuses_what_it_cannot_do():
     assert "--listen ADDR:PORT or --pty LINK" in refused(target)
     assert "--listen ADDR:PORT or --pty LINK" in refused(target, *door, "--pty", "/tmp/x")
     assert "must be" in refused(target, "--listen", "somewhere")
-    assert ".mcap" in refused(target, *door, "-o", "a.csv")
+    assert ".mcap" in refused(target, *door, "-o", "a.txt")
     assert "did you mean corrupt? These do: corrupt, lose" in refused(target, *door, "--fault", "corupt")
     assert "'reboot' touches neither bytes nor messages. These do" in refused(target, *door, "--fault", "reboot")
     assert "ms" in refused(target, *door, "--fault", "delay")
@@ -362,8 +417,9 @@ def refuses_what_it_cannot_do():
     assert "in use" in refused(target, "--listen", "127.0.0.1:%d" % taken.getsockname()[1])
 
 
-for test in (hands_on_every_byte, serves_one_driver_at_a_time, outlives_the_scanner, records_what_goes_by,
-             records_as_much_as_goes_by, needs_no_more_memory_with_time, refuses_what_it_cannot_do):
+for test in (hands_on_every_byte, serves_one_driver_at_a_time, follows_the_rate_of_the_line, outlives_the_scanner,
+             records_what_goes_by, records_scans_in_other_formats, records_as_much_as_goes_by,
+             needs_no_more_memory_with_time, refuses_what_it_cannot_do):
     begun = time.monotonic()
     test()
     print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)

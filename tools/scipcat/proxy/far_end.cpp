@@ -11,8 +11,10 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include "protocol/client/error.h"
+#include "tools/set_line_rate.h"
 
 namespace scipd::tools {
 
@@ -159,6 +161,11 @@ void FarEnd::write_on() {
                     self->write_on();
                     if (self->unwritten() == 0) self->hooks_.drained();
                 });
+}
+
+bool FarEnd::set_rate(int bits_per_second) {
+    if (::isatty(stream_.native_handle()) == 0) return true;
+    return set_line_rate(stream_.native_handle(), bits_per_second);
 }
 
 void FarEnd::end_writing() {

@@ -14,6 +14,7 @@
 #include "protocol/speaker.h"
 #include "tools/scipcat/proxy/far_end.h"
 #include "tools/scipcat/proxy/proxy_faults.h"
+#include "tools/scipcat/proxy/rate_change.h"
 
 namespace scipd::tools {
 namespace {
@@ -74,6 +75,8 @@ class Relay::Driver final : public daemon::Endpoint::Client, private protocol::S
     void say_messages(std::string_view bytes);
     void say(protocol::Send message);
     void lose(const std::string& why);
+    /// The scanner may have agreed to another rate of its serial line.
+    void follow_rate(std::string_view bytes);
 
     Relay& relay_;
     std::function<void()> on_actions_;
@@ -81,6 +84,7 @@ class Relay::Driver final : public daemon::Endpoint::Client, private protocol::S
     std::shared_ptr<FarEnd> scanner_;  ///< null: no driver, or the scanner is gone
     bool lost_ = false;
     std::optional<sim::Time> ends_at_;  ///< the driver has ended its side
+    RateChange rate_;
     std::deque<protocol::Send> actions_;
     std::size_t bytes_ = 0;  ///< of them
     // While faults may act.
@@ -118,6 +122,7 @@ void Relay::Driver::close() {
     reader_.forget();
     line_.clear();
     message_.clear();
+    rate_.forget();
     if (relay_.faults_ != nullptr) relay_.faults_->forget(*this);
 }
 
@@ -131,6 +136,7 @@ void Relay::Driver::receive(std::string_view bytes) {
 
 void Relay::Driver::pass_on(std::string_view bytes) {
     scanner_->write(bytes);
+    rate_.asks(bytes);
     relay_.hooks_.heard(true, bytes);
 }
 
@@ -150,7 +156,15 @@ void Relay::Driver::receive_by_lines(std::string_view bytes) {
     }
 }
 
+// A driver changes its own end when it has read the answer, and waits a little before it says more.
+void Relay::Driver::follow_rate(std::string_view bytes) {
+    const auto rate = rate_.answers(bytes);
+    if (!rate || !scanner_) return;
+    relay_.hooks_.rate(*rate, scanner_->set_rate(*rate));
+}
+
 void Relay::Driver::hear(std::string_view bytes) {
+    follow_rate(bytes);
     if (relay_.faults_ != nullptr && relay_.faults_->any()) {
         say_messages(bytes);
     } else {

@@ -27,6 +27,8 @@ class Relay final : public daemon::Endpoint {
         /// What has gone to the scanner, or come from it, just now. It has been handed on already.
         std::function<void(bool to_scanner, std::string_view bytes)> heard;
         std::function<void()> opened;
+        /// The scanner goes on at this rate, and its tty too, or cannot.
+        std::function<void(int bits_per_second, bool set)> rate;
         /// The scanner is gone, or was not there: who is connected is to be cut off.
         std::function<void(const std::string& why)> lost;
     };

@@ -61,6 +61,11 @@ bool is_configuration(const std::string& twin) {
     return fs::is_regular_file(twin);
 }
 
+void tell_rate(int bits_per_second, bool set) {
+    const char* const but = set ? "" : ", which its tty cannot do";
+    spdlog::info("the scanner goes on at {} bits a second{}", bits_per_second, but);
+}
+
 class Proxy final : private daemon::ClientWatch {
   public:
     Proxy(const ProxyWanted& wanted, const ProxyEar& ear);
@@ -77,6 +82,8 @@ class Proxy final : private daemon::ClientWatch {
 
     void make_twin();
     void hear(bool to_scanner, std::string_view bytes);
+    /// On the second thread.
+    void look(const Heard& heard);
     void lost(const std::string& why);
     void tell_ready() const;
     void tell_twin() const;
@@ -87,7 +94,7 @@ class Proxy final : private daemon::ClientWatch {
     daemon::WallClock clock_{io_.get_executor()};
     std::vector<daemon::FaultPlan> plans_;
     std::optional<TwinDaemon> twin_daemon_;
-    SecondThread second_;
+    SecondThread second_{[this](const Heard& heard) { look(heard); }};
     std::optional<Twin> twin_;  ///< lives there
     Relay relay_;
     std::shared_ptr<daemon::Port> port_;
@@ -100,6 +107,7 @@ Proxy::Proxy(const ProxyWanted& wanted, const ProxyEar& ear)
       relay_(io_.get_executor(), wanted.target, wanted.open, clock_,
              {.heard = [this](bool to_scanner, std::string_view bytes) { hear(to_scanner, bytes); },
               .opened = [] { spdlog::info("the scanner is there"); },
+              .rate = tell_rate,
               .lost = [this](const std::string& why) { lost(why); }}) {
     for (const std::string& words : wanted.faults)
         plans_.push_back(fault_in_words(words));
@@ -116,11 +124,15 @@ Proxy::~Proxy() {
 // or two.
 void Proxy::hear(bool to_scanner, std::string_view bytes) {
     if (!ear_ && wanted_.twin.empty()) return;
-    const sim::HostTime time = std::chrono::system_clock::now();
-    second_.hand_over(bytes.size(), [this, to_scanner, time, bytes = std::string(bytes)] {
-        if (ear_) ear_(to_scanner, time, bytes);
-        if (twin_) twin_->hear(to_scanner, time, bytes);
-    });
+    second_.hand_over(to_scanner ? Heard::What::to_scanner : Heard::What::from_scanner, bytes);
+}
+
+void Proxy::look(const Heard& heard) {
+    if (heard.what == Heard::What::driver_came) return twin_->come();
+    if (heard.what == Heard::What::driver_left) return twin_->leave();
+    const bool to_scanner = heard.what == Heard::What::to_scanner;
+    if (ear_) ear_(to_scanner, heard.time, heard.bytes);
+    if (twin_) twin_->hear(to_scanner, heard.time, heard.bytes);
 }
 
 void Proxy::make_twin() {
@@ -165,13 +177,13 @@ void Proxy::run() {
 
 void Proxy::came(const std::string& from) {
     spdlog::info("a driver {}", from.empty() ? "opens the tty" : "connects from " + from);
-    if (!wanted_.twin.empty()) second_.hand_over(0, [this] { twin_->come(); });
+    if (!wanted_.twin.empty()) second_.hand_over(Heard::What::driver_came);
     relay_.open();
 }
 
 void Proxy::left(daemon::Leaving why) {
     if (why == daemon::Leaving::closed) spdlog::info("the driver is gone");
-    if (!wanted_.twin.empty()) second_.hand_over(0, [this] { twin_->leave(); });
+    if (!wanted_.twin.empty()) second_.hand_over(Heard::What::driver_left);
 }
 
 // A TCP connection ends by itself, once all is sent. A tty hangs up, as that of a scanner that is

@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A thread for what takes longer than a driver may wait: it does, one after the other, what the
-// thread of the drivers hands over. That one waits only where too much is left to do.
+// A thread for what takes longer than a driver may wait: it looks at what the thread of the drivers
+// has heard, one after the other. That one waits only where too much is left to do.
 #pragma once
 
-#include <atomic>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <string_view>
 #include <thread>
 
-#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+
+#include "tools/scipcat/proxy/heard_queue.h"
 
 namespace scipd::tools {
 
 class SecondThread {
   public:
-    SecondThread() : thread_([this] { run(); }) {}
+    using Look = std::function<void(const Heard& heard)>;
+
+    /// `look` is called there.
+    explicit SecondThread(Look look);
     SecondThread(const SecondThread&) = delete;
     SecondThread& operator=(const SecondThread&) = delete;
     ~SecondThread() {
@@ -25,21 +32,21 @@ class SecondThread {
     }
 
     [[nodiscard]] boost::asio::io_context::executor_type executor() { return io_.get_executor(); }
-    /// To be done there. `bytes`: what it holds.
-    void hand_over(std::size_t bytes, std::function<void()> work);
-    /// Returns when all has been done, and this last. Nothing may follow.
+    /// To be looked at there.
+    void hand_over(Heard::What what, std::string_view bytes = {});
+    /// Returns when all has been looked at, and this was called last. Nothing may follow.
     void finish(const std::function<void()>& last);
 
   private:
-    /// At the pace of a UST-10LX, two minutes.
-    static constexpr std::size_t most_bytes = std::size_t{16} << 20U;
-
     void run();
+    void wait_for_news();
+    void look_on();
 
+    Look look_;
+    HeardQueue queue_;
     boost::asio::io_context io_{1};
-    boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
-        io_.get_executor()};
-    std::atomic<std::size_t> bytes_{0};  ///< that are handed over and not done
+    boost::asio::posix::stream_descriptor news_{io_};  ///< an eventfd: something was handed over
+    std::uint64_t count_ = 0;                          ///< that was read from it
     std::thread thread_;
 };
 
