@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What a scan says of one of its beams, in words: what was sent, what was true, and why.
-import {firstEcho, objectOf, returnedMaterial, sentRange} from './scan_shape.js';
+import {firstEcho, objectOf, sentRange} from './scan_shape.js';
 
 const CAUSES = {
   measured: 'measured',
@@ -67,6 +67,12 @@ function echoWords(scan, i) {
   return echoes.join(', ') || 'none';
 }
 
+/** Of what the middle of the beam met. The light may have come from what stands behind it. */
+function materialWords(scan, i) {
+  const index = scan.arrays.material?.[i] ?? -1;
+  return index < 0 ? null : scan.materials[index];
+}
+
 function objectWords(scan, i, nameOf) {
   const id = objectOf(scan, i);
   return id === null ? null : nameOf(id);
@@ -83,7 +89,7 @@ export function factsOf(scan, i, nameOf, age_s) {
     ['Intensity', scan.arrays.intensity?.length ? String(scan.arrays.intensity[i]) : null],
     ['Echoes', echoWords(scan, i)],
     ['Cause', causeWords(scan, i)],
-    ['Material', returnedMaterial(scan, i)],
+    ['Material', materialWords(scan, i)],
     ['Object', objectWords(scan, i, nameOf)],
     ['Age', `${age_s.toFixed(2)} s, scan ${scan.scan}`],
   ];
