@@ -173,6 +173,8 @@ Config parse_config(const std::string& text, const fs::path& file) {
     faults.throw_if_any();
     auto config = Reader{file, faults}.read(parse_document(text, faults));
     faults.throw_if_any();
+    config.file = fs::absolute(file);
+    config.document = text;
     return config;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Asks what a mesh file does not say: its unit and its material. Files come by drop or by a button, and stand where they were dropped.
+// Asks what a mesh file does not say: its unit and its material. Files come by drop or by a button, and stand where
+// they were dropped.
 import {byId, make} from './elements.js';
 import {FORMATS} from './edits.js';
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What fills the air, and how well all scanners read at once: fog, rain, snow and dust matter to those whose accuracy is
-// material. Media that were made elsewhere, with a box or numbers of their own, stay as they are until they are removed.
+// What fills the air, and how well all scanners read at once: fog, rain, snow and dust matter to those whose accuracy
+// is material. Media that were made elsewhere, with a box or numbers of their own, stay as they are until they are
+// removed.
 import {byId, make, tell} from './elements.js';
 import {at} from './server.js';
 
