@@ -59,6 +59,7 @@ Server::Server(const Options& options)
     rig_.apply(std::move(plan));
     if (shared_) shared_->serve(config, unlike_the_others);
     running_ = config;
+    api_.run_as(running_);
     rig_.simulation().choose_backends();
     wait_for_signal();
 }

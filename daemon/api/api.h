@@ -37,6 +37,7 @@ class Rate;
 class Recordings;
 class SceneGallery;
 class SenderClock;
+struct Config;
 
 struct SceneView {
     std::filesystem::path file;
@@ -49,6 +50,10 @@ class Api {
     virtual ~Api() = default;
 
     [[nodiscard]] virtual RigReport report() const = 0;
+
+    /// What is running, as it stands now: with the poses of robots, what fills the air, and how
+    /// well scanners read.
+    [[nodiscard]] virtual Config configuration() const = 0;
 
     /// The latest measurement of "rescue/front". A scanner has none (null) before anybody asks it
     /// for scans; a camera or ranger measures now. Nothing: there is no such sensor.

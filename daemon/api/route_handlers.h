@@ -68,6 +68,10 @@ void put_model_pose(Call&& call);
 void get_objects(Call&& call);
 void get_mesh(Call&& call);
 
+// saved_routes.cpp
+void get_sdf(Call&& call);
+void get_configuration(Call&& call);
+
 // media_routes.cpp
 void get_media(Call&& call);
 void put_media(Call&& call);

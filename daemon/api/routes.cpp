@@ -21,13 +21,14 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 42> table{{
+constexpr std::array<Route, 44> table{{
     {"GET", "/", get_page},
     {"GET", "/favicon.ico", get_icon},
     {"GET", "/page/{file}", get_page_file},
     {"GET", "/status", get_status},
     {"GET", "/health", get_health},
     {"GET", "/metrics", get_metrics},
+    {"GET", "/configuration", get_configuration},
     {"GET", "/sensors", get_sensors},
     {"GET", "/sensors/{robot}/{sensor}", get_sensor},
     {"PATCH", "/sensors/{robot}/{sensor}", patch_sensor},
@@ -52,6 +53,7 @@ constexpr std::array<Route, 42> table{{
     {"PUT", "/scene", put_scene},
     {"GET", "/scene/objects", get_objects},
     {"GET", "/scene/meshes/{mesh}", get_mesh},
+    {"GET", "/scene/sdf", get_sdf},
     {"GET", "/scene/media", get_media},
     {"PUT", "/scene/media", put_media},
     {"DELETE", "/scene/media", delete_media},

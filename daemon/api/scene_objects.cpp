@@ -121,7 +121,7 @@ SceneObjects::SceneObjects(const sim::SharedScene& scene) : scene_(scene) {
     for (sim::ObjectId id = 0; id < scene->objects.size(); ++id) {
         const auto [shape, scale] = std::visit(Common{}, scene->objects[id].shape);
         const std::string& hash = hashes.of(shape);
-        with_hash_.emplace(hash, id);
+        hashes_.push_back(&with_hash_.emplace(hash, id).first->first);
         texts_.push_back(told_of(*scene, id, hash, scale));
     }
 }

@@ -26,6 +26,8 @@ class SceneObjects {
         return scene_.lock() == scene;
     }
     [[nodiscard]] std::size_t size() const { return texts_.size(); }
+    /// What its triangles are named by.
+    [[nodiscard]] const std::string& hash(sim::ObjectId id) const { return *hashes_[id]; }
     /// The JSON of an object without its last brace.
     [[nodiscard]] const std::string& text(sim::ObjectId id) const { return texts_[id]; }
 
@@ -40,6 +42,7 @@ class SceneObjects {
     std::weak_ptr<const sim::Scene> scene_;
     std::vector<std::string> texts_;                               ///< by ObjectId
     std::map<std::string, sim::ObjectId, std::less<>> with_hash_;  ///< one of those who share it
+    std::vector<const std::string*> hashes_;  ///< by ObjectId, the keys of with_hash_
 };
 
 }  // namespace scipd::daemon

@@ -105,6 +105,8 @@ struct Config {
     std::optional<FleetConfig> fleet;          ///< nothing: the world is this daemon's alone
     /// What looks wrong and is taken as it is, each with its place.
     std::vector<std::string> warnings;
+    std::filesystem::path file;  ///< that it was read from; empty: options say it
+    std::string document;        ///< what the file says
     /// Where a key stands, "FILE:LINE: KEY: ", for the keys whose faults show only when other files
     /// have been read.
     std::map<std::string, std::string> places;

@@ -178,6 +178,8 @@ Config parse_config(const std::string& text, const fs::path& file) {
     faults.throw_if_any();
     auto config = Reader{file, faults}.read(sim::parse_yaml(text, "a configuration", faults));
     faults.throw_if_any();
+    config.file = fs::absolute(file);
+    config.document = text;
     return config;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "daemon/config/config.h"
@@ -17,5 +18,8 @@ namespace scipd::daemon {
 /// vda5050:MANUFACTURER[/SERIAL], - or a file that exists.
 sim::Expected<PoseSource> parse_pose_source(std::string_view text,
                                             const std::filesystem::path& base);
+
+/// As a user names it.
+std::string text_of(const PoseSource& source);
 
 }  // namespace scipd::daemon

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/config/config.h"
+#include "daemon/config/pose_source.h"
 
 namespace scipd::daemon {
 
@@ -27,8 +27,5 @@ struct SourceReport {
     std::optional<double> most_late_ms;  ///< the latest of them
     std::vector<std::string> troubles;   ///< what is not there, with the names that are
 };
-
-/// As a user names it.
-std::string text_of(const PoseSource& source);
 
 }  // namespace scipd::daemon

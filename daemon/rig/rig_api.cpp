@@ -40,6 +40,19 @@ RigReport RigApi::report() const {
     return report;
 }
 
+Config RigApi::configuration() const {
+    Config now = *config_;
+    now.media = media();
+    for (RobotConfig& robot : now.robots) {
+        if (const auto there = robot_pose(robot.name)) robot.world_from_robot = there->pose;
+        for (SensorConfig& sensor : robot.sensors) {
+            if (const auto reads = errors(sensor_name(robot.name, sensor.name)))
+                daemon::set_errors(sensor, *reads);
+        }
+    }
+    return now;
+}
+
 std::optional<SensorRecord> RigApi::latest(const std::string& sensor) {
     const Station* const station = find_station(simulation_.stations, sensor);
     if (station == nullptr) return std::nullopt;

@@ -30,10 +30,13 @@ class RigApi : public Api {
 
     /// From now on changes of the world are those of others, too; null: of this daemon alone.
     void share(SharedWorld* shared) { shared_ = shared; }
+    /// What is running from now on. It must outlive this.
+    void run_as(const Config& config) { config_ = &config; }
     /// Without telling anybody who shares the world.
     void edit_here(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
 
     [[nodiscard]] RigReport report() const override;
+    [[nodiscard]] Config configuration() const override;
     [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override;
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override;
     [[nodiscard]] std::optional<ReadingErrors> errors(const std::string& sensor) const override;
@@ -62,6 +65,7 @@ class RigApi : public Api {
   private:
     Simulation& simulation_;
     SharedWorld* shared_ = nullptr;
+    const Config* config_ = nullptr;
     RigFaults faults_;
     SceneGallery gallery_;
     const std::string run_;  ///< of this daemon, which another one has not

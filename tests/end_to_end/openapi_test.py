@@ -131,6 +131,8 @@ EXCHANGES = [
     ("PUT", "/robots/{robot}/pose", "/robots/other/pose", {"xyz": [0, 0, 0]}, 404),
     ("GET", "/scene", "/scene", None, 200),
     ("GET", "/scene/objects", "/scene/objects", None, 200),
+    ("GET", "/scene/sdf", "/scene/sdf", None, 200),
+    ("GET", "/configuration", "/configuration", None, 200),
     ("GET", "/scene/meshes/{mesh}", "/scene/meshes/MESH", None, 200),
     ("GET", "/scene/meshes/{mesh}", "/scene/meshes/0123456789abcdef", None, 404),
     ("POST", "/scene/models", "/scene/models",

@@ -5,6 +5,7 @@
 import {SENSOR, expect, near, open, test, withScan} from './page.js';
 import {hash, lookDown, lookFrom} from './eye.js';
 import {AT, EYE, room} from './room.js';
+import {poorContrasts, withoutName} from './readable.js';
 
 test('from the top, what is higher is seen at the same place', async ({page, start}) => {
   const daemon = await start(room('-2,0,0'));
@@ -86,6 +87,8 @@ test('under clock: poses, time plays, stands still and steps', async ({page, sta
   await page.locator('#canvas').press('j');
   await near(time_s, before_s + 1.025, 1e-6);
   await expect(page.locator('#clock-rate')).toHaveText('stands still');
+  expect(await page.evaluate(poorContrasts)).toEqual([]);
+  expect(await page.evaluate(withoutName)).toEqual([]);
 
   await page.locator('#clock-factor').selectOption('5');
   await page.getByRole('button', {name: 'Play'}).click();

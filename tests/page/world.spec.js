@@ -2,9 +2,13 @@
 // Copyright The scipd authors
 //
 // The panel World: the air, another world, and what is saved of both.
+import {readdirSync} from 'node:fs';
+import path from 'node:path';
 import {SENSOR, expect, open, test} from './page.js';
 import {Scip} from './scip.js';
 import {room} from './room.js';
+import {run, scene} from './daemon.js';
+import {poorContrasts, withoutName} from './readable.js';
 
 async function scan(daemon) {
   const scip = await Scip.connect(daemon.port);
@@ -12,6 +16,56 @@ async function scan(daemon) {
   scip.close();
   return ranges;
 }
+
+/** What is downloaded is unpacked by tar, which knows nothing of the page. */
+async function saved(page, info) {
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', {name: 'Save world and configuration'}).click();
+  const file = info.outputPath((await download).suggestedFilename());
+  await (await download).saveAs(file);
+  await run('tar', ['xf', file, '-C', info.outputDir]);
+  return file.replace(/\.tar$/, '/scipd.yaml');
+}
+
+function unlike(a, b) {
+  return a.filter((mm, i) => Math.abs(mm - b[i]) > 2).length;
+}
+
+test('what is saved gives what is seen', async ({page, start}, info) => {
+  const daemon = await start(room('-1,0.5,0.3'));
+  const before = await scan(daemon);
+  await daemon.put('/scene/models/box/pose', {xyz: [0.5, -0.6, 0.5], rpy: [0, 0, 0.4]});
+  await daemon.put('/scene/media', [{kind: 'fog', visibility_m: 30}]);
+  await open(page, daemon, '#panel=world');
+  await page.locator('#canvas').press('o');
+  await expect(page.locator('#selected-name')).toHaveText('box 2');
+  await page.locator('#size-z').fill('1.25');
+  await page.locator('#size-z').press('Enter');
+  await expect.poll(async () => unlike(await scan(daemon), before)).toBeGreaterThan(50);
+  const seen = await scan(daemon);
+  const again = await start(['--config', await saved(page, info), '--free-ports']);
+  expect(unlike(await scan(again), seen)).toBe(0);
+  expect((await again.get('/scene/media')).map(({kind}) => kind)).toEqual(['fog']);
+  const movable = async (each) => (await each.get('/scene')).models.filter((model) => model.movable)
+    .map(({name}) => name).sort();
+  expect(await movable(again)).toEqual(await movable(daemon));
+  expect((await again.get('/robots/robot/pose')).xyz).toEqual((await daemon.get('/robots/robot/pose')).xyz);
+});
+
+test('a world of meshes is saved with them', async ({page, start}, info) => {
+  const daemon = await start(['--config', scene('two_robots.yaml'), '--free-ports', '--http', '127.0.0.1:0']);
+  const materials = async (each) => (await each.get('/scene/objects')).objects.map(({material}) => material).sort();
+  const names = async (each) => (await each.get('/sensors')).map(({name, model}) => `${name} ${model}`);
+  await open(page, daemon, '#panel=world');
+  const wanted = [await names(daemon), await materials(daemon)];
+  const config = await saved(page, info);
+  expect(readdirSync(path.join(path.dirname(config), 'meshes')).length).toBeGreaterThan(0);
+  // Their poses by UDP come to the same port.
+  await page.goto('about:blank');
+  await daemon.end();
+  const again = await start(['--config', config, '--free-ports']);
+  expect([await names(again), await materials(again)]).toEqual(wanted);
+});
 
 test('fog is seen once scanners see the light', async ({page, start, complaints}) => {
   const daemon = await start(room());
@@ -22,6 +76,9 @@ test('fog is seen once scanners see the light', async ({page, start, complaints}
   await page.locator('#air-accuracy').selectOption('material');
   await expect.poll(async () => (await daemon.get(`/sensors/${SENSOR}`)).errors.accuracy).toBe('material');
   const visibility = page.getByLabel('fog: how far people see, in m');
+  await expect(visibility).toBeVisible();
+  expect(await page.evaluate(poorContrasts)).toEqual([]);
+  expect(await page.evaluate(withoutName)).toEqual([]);
   await visibility.fill('1');
   await visibility.press('Enter');
   await expect.poll(() => daemon.get('/scene/media')).toMatchObject([{kind: 'fog', visibility_m: 1}]);

@@ -17,6 +17,7 @@
 #include "daemon/api/recordings.h"
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/scene_gallery.h"
+#include "daemon/config/config.h"
 
 namespace scipd::tests {
 
@@ -39,6 +40,7 @@ class EmptyFaults : public daemon::FaultsApi {
 class EmptyApi : public daemon::Api {
   public:
     [[nodiscard]] daemon::RigReport report() const override { return {}; }
+    [[nodiscard]] daemon::Config configuration() const override { return {}; }
     [[nodiscard]] std::optional<daemon::SensorRecord> latest(const std::string& sensor) override {
         const auto kept = log(sensor);
         if (!kept) return {};

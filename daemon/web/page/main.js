@@ -55,6 +55,7 @@ import {WirePanel} from './wire_panel.js';
 import {World} from './world.js';
 import {WorldFile} from './world_file.js';
 import {WorldPanel} from './world_panel.js';
+import {WorldSaver} from './world_saver.js';
 import {askForToken} from './token_dialog.js';
 import {byId} from './elements.js';
 
@@ -103,6 +104,7 @@ new FaultsPanel(page);
 new Drops(page);
 new WorldPanel(page);
 new WorldFile(page);
+new WorldSaver(page);
 new AirCard(page);
 new SharePanel(page);
 new SelectionCard(page);
