@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/html_page.h"
+
 namespace scipd::tools::comparing {
 namespace {
 
@@ -168,29 +170,6 @@ std::string svg_of_curves(const Comparison& comparison, const Curve& curve) {
     const double top = std::max(reach_of(curve.a), reach_of(curve.b));
     return chart_begins(comparison, top, 0) + curve_path(comparison, curve.a, "a", top) +
            curve_path(comparison, curve.b, "b", top) + "</svg>\n";
-}
-
-std::string in_markup(const std::string& text) {
-    std::string escaped;
-    for (const char letter : text) {
-        switch (letter) {
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            case '"':
-                escaped += "&quot;";
-                break;
-            default:
-                escaped += letter;
-        }
-    }
-    return escaped;
 }
 
 }  // namespace scipd::tools::comparing

@@ -21,7 +21,4 @@ namespace scipd::tools::comparing {
 /// A's and B's values, step by step, from 0 on.
 [[nodiscard]] std::string svg_of_curves(const Comparison& comparison, const Curve& curve);
 
-/// The text as it stands in HTML and SVG.
-[[nodiscard]] std::string in_markup(const std::string& text);
-
 }  // namespace scipd::tools::comparing
