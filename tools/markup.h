@@ -6,7 +6,7 @@
 
 namespace scipd::tools {
 
-/// The text as HTML and SVG have it. Control characters, which XML forbids, are blanks.
+/// The text as HTML and SVG have it. Control characters, which XML forbids, are blanks; lines stay.
 [[nodiscard]] inline std::string in_markup(const std::string& text) {
     std::string escaped;
     for (const char letter : text) {
@@ -24,7 +24,8 @@ namespace scipd::tools {
                 escaped += "&quot;";
                 break;
             default:
-                escaped += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+                escaped +=
+                    static_cast<unsigned char>(letter) < ' ' && letter != '\n' ? ' ' : letter;
         }
     }
     return escaped;

@@ -31,13 +31,15 @@ struct TwinOptions {
 struct TwinFiles {
     fs::path configuration;
     fs::path room;
+    fs::path report;
 };
 
 std::vector<std::string> words_for(const std::vector<fs::path>& recordings, const TwinFiles& files,
                                    bool json) {
     std::vector<std::string> words(recordings.begin(), recordings.end());
     for (const auto& [option, file] :
-         {std::pair{"--output", files.configuration}, std::pair{"--room", files.room}})
+         {std::pair{"--output", files.configuration}, std::pair{"--room", files.room},
+          std::pair{"--report", files.report}})
         words.insert(words.end(), {option, file.string()});
     if (json) words.emplace_back("--json");
     return words;
@@ -46,7 +48,8 @@ std::vector<std::string> words_for(const std::vector<fs::path>& recordings, cons
 std::string as_json(const std::vector<fs::path>& recordings, const TwinFiles& files,
                     const std::string& fit) {
     nlohmann::ordered_json document{{"twin", files.configuration.string()},
-                                    {"room", files.room.string()}};
+                                    {"room", files.room.string()},
+                                    {"report", files.report.string()}};
     for (const fs::path& recording : recordings)
         document["recordings"].push_back(recording.string());
     document["fit"] = nlohmann::ordered_json::parse(fit);
@@ -56,7 +59,7 @@ std::string as_json(const std::vector<fs::path>& recordings, const TwinFiles& fi
 void tell_what_to_do(const std::vector<fs::path>& recordings, const TwinFiles& files) {
     std::cout << "the twin: scipd --config " << files.configuration.string()
               << "\nhow good it is: scipcat compare " << recordings.front().string()
-              << " tcp://127.0.0.1:10940\n";
+              << " tcp://127.0.0.1:10940\nin pictures: " << files.report.string() << '\n';
 }
 
 void make_twin(const TwinOptions& options) {
@@ -65,7 +68,8 @@ void make_twin(const TwinOptions& options) {
     fs::create_directories(options.folder, error);
     if (error) throw WrongInput(options.folder.string() + ": cannot be made: " + error.message());
     const auto recordings = record_for_twin(options.connection, options.seconds, options.folder);
-    const TwinFiles files{options.folder / "twin.yaml", options.folder / "room.sdf"};
+    const TwinFiles files{options.folder / "twin.yaml", options.folder / "room.sdf",
+                          options.folder / "report.html"};
     const std::string fit = run_scipfit(words_for(recordings, files, options.json));
     if (options.json) {
         std::cout << as_json(recordings, files, fit);
@@ -84,7 +88,7 @@ void add_twin_command(CLI::App& program) {
     options->connection.add_to(*command);
     command
         ->add_option("-o,--output", options->folder,
-                     "where twin.yaml, room.sdf and the recordings are written; old "
+                     "where twin.yaml, room.sdf, report.html and the recordings are written; old "
                      "ones are replaced")
         ->required()
         ->type_name("DIR");

@@ -17,6 +17,7 @@
 #include "tools/scipfit/known_length.h"
 #include "tools/scipfit/profile_yaml.h"
 #include "tools/scipfit/read_readings.h"
+#include "tools/scipfit/report_html.h"
 #include "tools/scipfit/room_report.h"
 #include "tools/scipfit/room_sdf.h"
 
@@ -30,6 +31,7 @@ struct FitOptions {
     std::vector<std::string> lengths;
     std::string output;
     std::string room;
+    std::string report;
     bool json = false;
 };
 
@@ -76,6 +78,7 @@ void fit(const FitOptions& options) {
     }
     write_to(options.output,
              [&](std::ostream& out) { write_profile(found, room_beside(options), out); });
+    write_to(options.report, [&](std::ostream& out) { out << as_html(standing, found, room); });
     tell(found, room, options.json);
 }
 
@@ -96,6 +99,12 @@ void add_fit_options(CLI::App& program) {
                     "also make the room, and have the profile stand in it: a twin of the scanner "
                     "where it stood")
         ->type_name("FILE.sdf")
+        ->check(can_be_written);
+    program
+        .add_option("--report", options->report,
+                    "a page with pictures: the noise beside the twin's, how good the law is, and "
+                    "what is not known")
+        ->type_name("FILE.html")
         ->check(can_be_written);
     program.add_option("--stream", options->stream,
                        "which scanner, of recordings of several; default: the first");

@@ -21,22 +21,13 @@ double nll(double sigma_mm, double variance_mm2) {
     return log_root_two_pi + std::log(sigma_mm) + 0.5 * variance_mm2 / (sigma_mm * sigma_mm);
 }
 
-double sheet_mm(const sim::SensorSpec& sheet, double range_mm) {
-    double bound_mm = 0.0;
-    for (const sim::AccuracyStep& step : sheet.accuracy) {
-        if (range_mm >= 1000.0 * step.from_range_m)
-            bound_mm = 1000.0 * step.bound_m + step.bound_share * range_mm;
-    }
-    return bound_mm;
-}
-
 /// One beam in the half of its time that was not fitted.
 struct BeamTest {
     std::vector<float> mm;
     LawSample sample;
 };
 
-void judge(const BeamTest& test, const NoiseModel& model, double constant_mm, double sheet_mm,
+void judge(const BeamTest& test, const NoiseModel& model, double constant_mm, double sheet,
            Score& score) {
     double sum = 0.0;
     for (const float mm : test.mm)
@@ -54,7 +45,7 @@ void judge(const BeamTest& test, const NoiseModel& model, double constant_mm, do
     score.law += n * nll(sigma_mm, squares / n);
     score.constant += n * nll(constant_mm, squares / n);
     score.per_beam += n * nll(own_mm, squares / n);
-    if (sheet_mm > 0.0) score.sheet += n * nll(sheet_mm, squares / n);
+    if (sheet > 0.0) score.sheet += n * nll(sheet, squares / n);
     score.count += n;
 }
 
@@ -93,6 +84,15 @@ void judge_half(const Standing& standing, const NoiseModel& kind, const sim::Sen
 }
 
 }  // namespace
+
+double sheet_mm(const sim::SensorSpec& sheet, double range_mm) {
+    double bound_mm = 0.0;
+    for (const sim::AccuracyStep& step : sheet.accuracy) {
+        if (range_mm >= 1000.0 * step.from_range_m)
+            bound_mm = 1000.0 * step.bound_m + step.bound_share * range_mm;
+    }
+    return bound_mm;
+}
 
 std::optional<HeldOut> held_out(const Standing& standing, const NoiseFit& fit,
                                 const sim::SensorSpec& sheet) {

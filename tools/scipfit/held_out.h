@@ -23,6 +23,9 @@ struct HeldOut {
     std::size_t readings = 0;
 };
 
+/// The accuracy that the data sheet states at this range; 0: none.
+[[nodiscard]] double sheet_mm(const sim::SensorSpec& sheet, double range_mm);
+
 [[nodiscard]] std::optional<HeldOut> held_out(const Standing& standing, const NoiseFit& fit,
                                               const sim::SensorSpec& sheet);
 

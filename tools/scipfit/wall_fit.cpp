@@ -31,9 +31,9 @@ struct Seen {
 
 using Run = std::vector<Seen>;
 
-/// So far off a line its points may lie.
+/// So far off a line its points may lie: real walls are no planes.
 double tolerance_m(const Seen& seen) {
-    return 0.002 + 4.0 * seen.deviation_m;
+    return 0.012 + 0.002 * seen.range_m;
 }
 
 /// Beams in a row that see something, without a jump.
@@ -150,25 +150,26 @@ std::vector<Run> merged(const std::vector<Run>& pieces) {
 
 /// Whether some neighbouring beams see it elsewhere than the wall that was laid through all.
 bool bends(const Run& points, const Wall& wall) {
-    constexpr std::size_t neighbours = 8;
     constexpr double flat_m = 0.0006;
+    constexpr double surely = 4.0;
+    const std::size_t neighbours = std::clamp<std::size_t>(points.size() / 6, 6, 16);
+    const double n = static_cast<double>(neighbours);
     for (std::size_t i = 0; i + neighbours <= points.size(); i += neighbours / 2) {
         double off_m = 0.0;
         double deviation_m = 0.0;
         for (std::size_t k = i; k < i + neighbours; ++k) {
-            off_m += (points[k].range_m - wall.range_m(points[k].angle_rad)) / neighbours;
-            deviation_m += points[k].deviation_m / neighbours;
+            off_m += (points[k].range_m - wall.range_m(points[k].angle_rad)) / n;
+            deviation_m += points[k].deviation_m / n;
         }
-        // Neighbours share a part of their noise.
-        const double of_mean_m = deviation_m * std::sqrt(2.0 / neighbours);
-        if (std::abs(off_m) > flat_m + 3.0 * of_mean_m) return true;
+        // Neighbours share a part of their noise, so their mean has about twice the variance.
+        if (std::abs(off_m) > flat_m + surely * deviation_m * std::sqrt(2.0 / n)) return true;
     }
     return false;
 }
 
 /// A wall that bends, or that the scanner sees bent, is several planes.
 void add_planes(const Run& points, std::vector<std::pair<Wall, Run>>& planes) {
-    constexpr std::size_t least_beams_of_half = 12;
+    constexpr std::size_t least_beams_of_half = 6;
     const Wall wall = fitted(points);
     if (points.size() < 2 * least_beams_of_half || !bends(points, wall)) {
         planes.emplace_back(wall, points);

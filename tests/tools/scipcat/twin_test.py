@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import xml.etree.ElementTree
 
 SCIPD, SCIPCAT = sys.argv[1:3]
 
@@ -113,6 +114,17 @@ def check_is_the_same(name, real, twin, scans):
     return document
 
 
+def check_report(file):
+    """It is sound, needs nothing else, and its words are text."""
+    page = xml.etree.ElementTree.parse(file)
+    drawings = list(page.iter("svg"))
+    assert len(drawings) > 7, file
+    assert all(any(text.text for text in drawing.iter("text")) for drawing in drawings), file
+    for element in page.iter():
+        assert element.tag not in ("script", "img", "link", "iframe"), element.tag
+        assert not any("nan" in value or "://" in value for value in element.attrib.values()), element.attrib
+
+
 def check_twins(folder):
     scans = {"urg": 80, "ust": 320}
     with Scipd(configuration(folder, WALLS)) as real:
@@ -122,6 +134,7 @@ def check_twins(folder):
             assert document["recordings"] == [str(folder / name / "standing.mcap")], document
             assert document["fit"]["room"]["explained"] > 0.95 * document["fit"]["room"]["beams"], document
             assert document["fit"]["unknown"], document
+            check_report(folder / name / "report.html")
             config = folder / name / "twin.yaml"
             with Scipd(config, "--free-ports") as twin:
                 check_is_the_same(name, real.targets[name], twin.targets["scanner"], scans[name])

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "tools/html_page.h"
 #include "tools/markup.h"
 #include "tools/scipcat/compare/comparison_report.h"
 #include "tools/scipcat/compare/comparison_words.h"
@@ -11,33 +12,14 @@
 namespace scipd::tools::comparing {
 namespace {
 
-constexpr std::string_view head_of_page = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"/>
-<meta name="viewport" content="width=device-width, initial-scale=1"/>
-<meta name="color-scheme" content="light dark"/>
-<style>
-:root { --ink: #1a212b; --paper: #fff; --faint: #616d7d; --rule: #dde2e7; --a: #8b95a1;
-        --b: #0d4a8c; --nearer: #d1242f; --farther: #8250df; --otherwise: #b35900; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e6edf3; --paper: #0d1117; --faint: #8b949e; --rule: #21262d; --a: #6e7681;
-          --b: #58a6ff; --nearer: #ff7b72; --farther: #bc8cff; --otherwise: #f0883e; } }
-body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
-       max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
-h2 { font-size: 1.1rem; margin: 2rem 0 .3rem; } small { color: var(--faint); }
-table { border-collapse: collapse; width: 100%; }
-td, th { border-top: 1px solid var(--rule); padding: .3rem .6rem .3rem 0; text-align: left; }
-.key-a { color: var(--a); } .key-b { color: var(--b); }
-svg { width: 100%; height: auto; font: 13px system-ui, sans-serif; }
-svg text { fill: var(--faint); } svg .right { text-anchor: end; }
-svg .middle, svg .label { text-anchor: middle; }
+constexpr std::string_view style = R"(.key-a { color: var(--a); } .key-b { color: var(--b); }
 svg .label { font-weight: 600; paint-order: stroke; stroke: var(--paper); stroke-width: 4px; }
 circle.a { fill: var(--a); } circle.b { fill: var(--b); }
 path.a { stroke: var(--a); fill: none; } path.b { stroke: var(--b); fill: none; }
 .nearer, svg text.nearer { fill: var(--nearer); }
 .farther, svg text.farther { fill: var(--farther); }
-.otherwise, svg text.otherwise { fill: var(--otherwise); } .scanner { fill: var(--ink); }
-.grid { stroke: var(--rule); } .floor { fill: var(--a); opacity: .25; }
-</style>
+.otherwise, svg text.otherwise { fill: var(--otherwise); }
+.floor { fill: var(--a); opacity: .25; }
 )";
 
 std::string lists_of(const Comparison& comparison) {
@@ -75,9 +57,8 @@ std::string chart_of(const std::string& title, const std::string& chart) {
 
 std::string as_html(const Comparison& comparison) {
     const std::string both = "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>";
-    std::string text(head_of_page);
-    text += "<title>" + in_markup(comparison.a.name + " and " + comparison.b.name) +
-            "</title></head><body>\n<h1>" + (comparison.alike() ? "Alike" : "B differs from A") +
+    std::string text = html_head(comparison.a.name + " and " + comparison.b.name, style);
+    text += std::string("<h1>") + (comparison.alike() ? "Alike" : "B differs from A") +
             "</h1>\n<p><span class=\"key-a\">A</span> " +
             in_markup(comparison.a.name + ": " + scanner_of(comparison.a)) +
             "<br/><span class=\"key-b\">B</span> " +
