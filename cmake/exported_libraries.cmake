@@ -129,6 +129,7 @@ scipd_exports(
   testing
   PARTS scipd_testing scipd_control_client
   HEADERS # a scipd for tests: begin with scipd.h, or with scipd_test.h, which needs GoogleTest
+          testing/scan_recording.h
           testing/scipd.h
           testing/scipd_options.h
           testing/scipd_parts.h

@@ -51,6 +51,8 @@ ScipdInside::ScipdInside(const Options& options)
       clock(running, options, [this] {
           wire.catch_up();
           if (last) last->catch_up();
+          for (const auto& recorder : recorders)
+              recorder->catch_up();
       }) {}
 
 Scipd::Scipd(const Options& options) : inside_(std::make_unique<ScipdInside>(options)) {}
@@ -139,6 +141,14 @@ std::string Scipd::log() const {
     return inside_->running.log();
 }
 
+Recording Scipd::record(const std::filesystem::path& file, const std::string& sensor) {
+    const std::string name =
+        sensor.empty() ? "" : inside_->running.sensor(sensor).at("name").get<std::string>();
+    auto recorder = std::make_shared<ScanRecorder>(inside_->running.control(), file, name);
+    inside_->recorders.push_back(recorder);
+    return Recording(std::move(recorder));
+}
+
 void Scipd::keep_last(std::chrono::duration<double> seconds) {
     inside_->last = std::make_unique<LastScans>(inside_->running.control(), seconds);
 }
@@ -147,7 +157,7 @@ void Scipd::save(const std::filesystem::path& folder) const {
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "scipd.log") << log();
     std::ofstream(folder / "wire.txt") << Wire(*inside_).text();
-    if (inside_->last) std::ofstream(folder / "last_scans.jsonl") << inside_->last->lines();
+    if (inside_->last) inside_->last->save(folder / "last_scans.mcap");
 }
 
 std::optional<int> Scipd::exit_code() {
@@ -155,6 +165,8 @@ std::optional<int> Scipd::exit_code() {
 }
 
 void Scipd::close() {
+    for (const auto& recorder : inside_->recorders)
+        recorder->stop();
     inside_->running.close();
 }
 

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "testing/scan_recording.h"
 #include "testing/scipd_options.h"
 #include "testing/scipd_parts.h"
 #include "testing/scipd_values.h"
@@ -74,9 +75,13 @@ class Scipd {
     /// What scipd has told on standard error, also after close().
     [[nodiscard]] std::string log() const;
 
+    /// Writes all scans from now on, of one scanner or of all, into FILE.mcap or FILE.jsonl. Scans
+    /// are computed for it, and no driver notices it.
+    [[nodiscard]] Recording record(const std::filesystem::path& file,
+                                   const std::string& sensor = {});
     /// From now on save() has the scans of so many last seconds.
     void keep_last(std::chrono::duration<double> seconds);
-    /// Writes scipd.log, wire.txt and last_scans.jsonl there, also after close().
+    /// Writes scipd.log, wire.txt and last_scans.mcap there, also after close().
     void save(const std::filesystem::path& folder) const;
 
     /// Nothing: it runs. A negative code is that of the signal that ended it.

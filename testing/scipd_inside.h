@@ -5,7 +5,9 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "testing/recorded_scans.h"
 #include "testing/running.h"
 #include "testing/test_clock.h"
 #include "testing/wire_heard.h"
@@ -18,6 +20,7 @@ struct ScipdInside {
     Running running;
     WireLog wire;
     std::unique_ptr<LastScans> last;  ///< null: nobody wants them
+    std::vector<std::shared_ptr<ScanRecorder>> recorders;
     TestClock clock;
 };
 

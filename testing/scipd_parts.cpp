@@ -10,6 +10,7 @@
 
 #include "testing/pose_json.h"
 #include "testing/scipd_inside.h"
+#include "testing/tum_drive.h"
 
 namespace scipd::testing {
 namespace {
@@ -81,6 +82,15 @@ void Robot::drive_to(const Pose& pose, std::chrono::duration<double> seconds) co
     const Json from = inside_.running.get(path);
     const Json to = json_of(pose);
     inside_.clock.move(path, seconds, [&](double share) { return between(from, to, share); });
+}
+
+void Robot::play(const std::filesystem::path& trajectory, double speed) const {
+    if (!(speed > 0)) throw std::invalid_argument("a drive has a speed above 0");
+    const TumDrive drive(trajectory);
+    const std::string path = robot_pose_path(name_);
+    inside_.clock.place(path, drive.pose_at(0));
+    inside_.clock.move(path, std::chrono::duration<double>(drive.seconds() / speed),
+                       [&](double share) { return drive.pose_at(share * drive.seconds()); });
 }
 
 std::vector<std::string> Scene::add(const std::string& name, const What& what,

@@ -27,6 +27,9 @@ class Robot {
     void set_pose(const Pose& pose) const;
     /// Has it move there evenly, and returns when it is there. In lockstep time goes on so far.
     void drive_to(const Pose& pose, std::chrono::duration<double> seconds) const;
+    /// Has it move along a TUM file, `speed` times as fast, and returns when it is at its end. In
+    /// lockstep time goes on so far.
+    void play(const std::filesystem::path& trajectory, double speed = 1.0) const;
 
   private:
     ScipdInside& inside_;

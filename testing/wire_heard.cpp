@@ -3,7 +3,6 @@
 #include "testing/wire_heard.h"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "tools/control_client.h"
@@ -23,22 +22,6 @@ WireMessage message_of(const Json& told) {
             .line = told.at("line"),
             .status = status.is_null() ? std::string() : status.get<std::string>(),
             .means = told.at("means")};
-}
-
-/// A scan of /stream as scipcat reads it. Null: it is none, but a fault, or of a camera.
-Json recorded(const Json& told) {
-    if (!told.contains("sent_mm")) return nullptr;
-    const double step_rad = 2.0 * std::numbers::pi / told.at("steps_per_turn").get<double>();
-    const int first_step = told.at("first_step");
-    const int front_step = told.at("front_step");
-    return {{"host_time_s", told.at("time_s")},
-            {"serial", told.at("sensor")},
-            {"stamp_ms", told.at("stamp_ms")},
-            {"first_step", first_step},
-            {"first_angle_rad", (first_step - front_step) * step_rad},
-            {"angle_increment_rad", step_rad},
-            {"distances_mm", told.at("sent_mm")},
-            {"intensities", told.at("intensity")}};
 }
 
 }  // namespace
@@ -83,28 +66,6 @@ WireMessage WireLog::wait_for(const std::string& request, std::chrono::milliseco
 void WireLog::catch_up() const {
     for (const Listener& listener : listeners_)
         listener.catch_up();
-}
-
-LastScans::LastScans(const std::string& control, std::chrono::duration<double> seconds)
-    : seconds_(seconds.count()),
-      listener_(control, "/stream", [this](const std::string& text) { hear(text); }) {}
-
-void LastScans::hear(const std::string& text) {
-    Json scan = recorded(Json::parse(text));
-    if (scan.is_null()) return;
-    const double time_s = scan.at("host_time_s");
-    const std::lock_guard lock(mutex_);
-    kept_.push_back({time_s, std::move(scan)});
-    while (kept_.front().time_s < time_s - seconds_)
-        kept_.pop_front();
-}
-
-std::string LastScans::lines() const {
-    const std::lock_guard lock(mutex_);
-    std::string lines;
-    for (const Kept& kept : kept_)
-        lines += kept.scan.dump() + "\n";
-    return lines;
 }
 
 }  // namespace scipd::testing

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The conversation of all scanners with their clients, heard from the start of scipd on, and the
-// scans of its last seconds. Any thread.
+// The conversation of all scanners with their clients, heard from the start of scipd on. Any
+// thread.
 #pragma once
 
 #include <chrono>
@@ -35,29 +35,6 @@ class WireLog {
     mutable std::condition_variable news_;
     std::deque<WireMessage> messages_;
     std::deque<Listener> listeners_;  ///< last, as their threads use the others
-};
-
-/// The scans of all scanners, of the latest seconds.
-class LastScans {
-  public:
-    LastScans(const std::string& control, std::chrono::duration<double> seconds);
-
-    /// A JSON object a line, as scipcat records them.
-    [[nodiscard]] std::string lines() const;
-    void catch_up() const { listener_.catch_up(); }
-
-  private:
-    struct Kept {
-        double time_s;
-        Json scan;
-    };
-
-    void hear(const std::string& text);
-
-    double seconds_;
-    mutable std::mutex mutex_;
-    std::deque<Kept> kept_;
-    Listener listener_;  ///< last, as its thread uses the others
 };
 
 }  // namespace scipd::testing

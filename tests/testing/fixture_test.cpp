@@ -36,7 +36,7 @@ TEST(Fixture, KeepsLogWireAndLastScansOfATestThatFails) {
     EXPECT_THAT(done.out, HasSubstr("scipd was ended by signal 11 while it was needed"));
     EXPECT_THAT(tests::read_file(crashed / "scipd.log"), Not(IsEmpty()));
 
-    auto recording = sim::open_recording(kept / "last_scans.jsonl");
+    auto recording = sim::open_recording(kept / "last_scans.mcap");
     ASSERT_TRUE(recording) << recording.error().why;
     const auto item = (*recording)->next();
     ASSERT_TRUE(item && *item);

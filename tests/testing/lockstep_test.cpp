@@ -2,8 +2,11 @@
 // Copyright The scipd authors
 //
 // Time that a test has go on.
+#include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <future>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -11,8 +14,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/recording/open_recording.h"
 #include "testing/scipd_test.h"
 #include "tests/support/scanner_wire.h"
+#include "tests/support/temp_dir.h"
 
 namespace {
 
@@ -47,6 +52,59 @@ TEST_F(Lockstep, MovesRobotsAndModels) {
     scipd.robot().drive_to({1, 0, 0}, 4s);
     EXPECT_NEAR(scipd.clock().time_s(), 4, 0.5);
     EXPECT_EQ(scipd.scan().at(0), 2.0);
+}
+
+TEST_F(Lockstep, PlaysADriveAndRecordsIt) {
+    Scipd& scipd = start({.world = room, .clock = ClockKind::poses, .accuracy = "ideal"});
+    const ::scipd::tests::TempDir folder;
+    std::ofstream(folder.path() / "drive.tum") << "# t tx ty tz qx qy qz qw\n"
+                                                  "100 -1 0 0 0 0 0 1\n\n"
+                                                  "101 0 0 0 0 0 0 1\n"
+                                                  "103 1 0 0 0 0 0 1\n";
+    const auto file = folder.path() / "drive.mcap";
+    const auto recording = scipd.record(file);
+    scipd.robot().play(folder.path() / "drive.tum", 2.0);
+    EXPECT_NEAR(scipd.clock().time_s(), 1.5, 0.01);
+    EXPECT_NEAR(scipd.robot().pose().x_m, 1, 1e-9);
+    recording.stop();
+    EXPECT_NEAR(double(recording.scans()), 60, 2);
+
+    auto opened = ::scipd::sim::open_recording(file);
+    ASSERT_TRUE(opened) << opened.error().why;
+    std::size_t scans = 0;
+    for (auto item = (*opened)->next(); item && *item; item = (*opened)->next()) {
+        const auto& scan = std::get<::scipd::sim::RecordedScan>((*item)->what);
+        // The middle of a turn of 25 ms; 2 m a second, and from half a second on 1 m.
+        const double at_s =
+            std::chrono::duration<double>(scan.host_time->time_since_epoch()).count();
+        const double ahead_s = at_s + 0.375 * 0.025;
+        const double x_m = ahead_s < 0.5 ? -1 + 2 * ahead_s : std::min(ahead_s - 0.5, 1.0);
+        if (at_s > 0) {
+            EXPECT_NEAR(scan.ranges_of(540).front(), 1000 * (3 - x_m), 2) << at_s;
+        }
+        ++scans;
+    }
+    EXPECT_EQ(scans, recording.scans());
+    EXPECT_TRUE((*opened)->warnings().empty());
+}
+
+TEST_F(Lockstep, SaysWhatIsWrongWithADriveOrARecording) {
+    Scipd& scipd = start({.world = room, .clock = ClockKind::poses});
+    const ::scipd::tests::TempDir folder;
+    const auto refusal = [&](const std::string& text) -> std::string {
+        std::ofstream(folder.path() / "a.tum") << text;
+        try {
+            scipd.robot().play(folder.path() / "a.tum");
+        } catch (const ScipdError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(refusal("1 0 0 0 0 0 0 1\n2 0 0 0\n"), ::testing::HasSubstr("a.tum:2: is no line"));
+    EXPECT_THAT(refusal("1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"),
+                ::testing::HasSubstr(":2: the times"));
+    EXPECT_THAT(refusal("# nothing\n"), ::testing::HasSubstr("holds no pose"));
+    EXPECT_THROW((void)scipd.record(folder.path() / "a.txt"), std::invalid_argument);
 }
 
 /// What a driver gets in a drive with a fault and a crate.

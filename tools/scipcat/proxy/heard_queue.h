@@ -3,7 +3,8 @@
 //
 // What one thread has heard, for another one to look at, without a lock: whoever holds one may lose
 // its core, and the other waits for milliseconds. Nor does one of them free what the other has
-// allocated, since the heap has locks as well: the bytes lie in a ring. One thread pushes, one pops.
+// allocated, since the heap has locks as well: the bytes lie in a ring. One thread pushes, one
+// pops.
 #pragma once
 
 #include <atomic>
