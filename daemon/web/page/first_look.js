@@ -13,17 +13,18 @@ const MARGIN_M = 0.6;
 const WALL_M = 1;
 
 export class FirstLook {
-  constructor({scans, views, viewpoint, status, robots, stage}) {
-    Object.assign(this, {scans, views, viewpoint, status, robots});
+  constructor({scans, views, viewpoint, status}) {
+    Object.assign(this, {scans, views, viewpoint, status});
     this.take = ({detail: scan}) => {
       if (scan.sensor === scans.chosen) this.frame(scan);
     };
     this.leave = () => scans.removeEventListener('scan', this.take);
     scans.addEventListener('scan', this.take);
-    for (const kind of ['pointerdown', 'wheel']) stage.canvas.addEventListener(kind, this.leave, {once: true});
-    window.addEventListener('keydown', this.leave, {once: true});
+    for (const kind of ['pointerdown', 'wheel', 'keydown', 'click']) {
+      window.addEventListener(kind, this.leave, {once: true, capture: true});
+    }
     views.all();
-    const scan = scans.scanOf(scans.chosen);
+    const scan = scans.newestOf(scans.chosen);
     if (scan) this.frame(scan);
   }
 
@@ -34,7 +35,7 @@ export class FirstLook {
     this.viewpoint.fit(boxOf(scan), FROM);
     const robot = scan.sensor.split('/')[0];
     const drives = this.status.latest.poses.sources.some((source) => source.robot === robot);
-    if (drives && this.robots.positionOf('robots', robot)) this.views.follow();
+    if (drives) this.views.followLater();
   }
 }
 

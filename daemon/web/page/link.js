@@ -17,7 +17,7 @@ export class Link {
     this.wanted = parse(location.hash);
   }
 
-  /** Once all is restored: from now on the address follows. */
+  /** From now on the address follows. */
   begin() {
     const later = () => {
       clearTimeout(this.timer);

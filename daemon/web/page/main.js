@@ -135,11 +135,11 @@ function choose() {
 /** Where one looks in the world, and at what: as the link says, or else at the first scan. */
 function look() {
   const {link, selection, views} = page;
+  link.begin();
   if (link.viewWanted) views.restore(link.viewWanted);
   else new FirstLook(page);
   selection.selectLater(link.selectWanted);
   if (link.wanted.follow) views.followLater();
-  link.begin();
 }
 
 page.connection.addEventListener('open', () => page.world.forget());

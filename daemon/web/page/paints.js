@@ -95,9 +95,10 @@ function byObject(scans, {nameOfObject}) {
 }
 
 function bySensor(scans, {colourOfSensor}) {
-  const names = scans.map(({sensor}) => ({name: sensor, colour: colourOfSensor(sensor)}));
+  const colourOf = new Map(scans.map(({sensor}) => [sensor, colourOfSensor(sensor)]));
+  const names = [...colourOf].map(([name, colour]) => ({name, colour}));
   // The panel Sensors has them all.
-  return {colourOf: (scan) => colourOfSensor(scan.sensor), legend: {title: 'Sensor', names, most: 5}};
+  return {colourOf: (scan) => colourOf.get(scan.sensor), legend: {title: 'Sensor', names, most: 5}};
 }
 
 function byError(scans) {

@@ -176,6 +176,11 @@ export class Scans extends EventTarget {
     this.stage.invalidate();
   }
 
+  /** The scan of a sensor that came last, drawn or not. */
+  newestOf(sensor) {
+    return this.latest.get(sensor) || this.scanOf(sensor);
+  }
+
   /** The scan that is drawn of a sensor now. */
   scanOf(sensor) {
     return this.layers.get(sensor)?.scan.scan || null;
