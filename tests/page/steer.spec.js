@@ -52,6 +52,8 @@ test('a click on a point of a scan selects nothing', async ({page, start}) => {
   await page.mouse.click(above.x, above.y);
   await expect(page.locator('#selected-name')).toHaveText('room');
   await expect(page.locator('#selected-lock')).toHaveText('Unlock');
+  // Under clock: wall there is no time to play.
+  await expect(page.locator('#clock')).toBeHidden();
 });
 
 for (const width of [375, 1280]) {
@@ -103,13 +105,6 @@ test('under clock: poses, time plays, stands still and steps', async ({page, sta
   const stopped_s = await time_s();
   await page.waitForTimeout(700);
   expect(await time_s()).toBe(stopped_s);
-});
-
-test('under clock: wall there is nothing to play', async ({page, start}) => {
-  const daemon = await start(room());
-  await open(page, daemon);
-  await withScan(page);
-  await expect(page.locator('#clock')).toBeHidden();
 });
 
 function covers({x, y, width, height}, place) {
