@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The panel World: the air, another world, and what is saved of both.
-import {readdirSync} from 'node:fs';
+import {readdirSync, writeFileSync} from 'node:fs';
 import path from 'node:path';
 import {SENSOR, expect, open, test} from './page.js';
 import {Scip} from './scip.js';
@@ -52,19 +52,31 @@ test('what is saved gives what is seen', async ({page, start}, info) => {
   expect((await again.get('/robots/robot/pose')).xyz).toEqual((await daemon.get('/robots/robot/pose')).xyz);
 });
 
-test('a world of meshes is saved with them', async ({page, start}, info) => {
-  const daemon = await start(['--config', scene('two_robots.yaml'), '--free-ports', '--http', '127.0.0.1:0']);
-  const materials = async (each) => (await each.get('/scene/objects')).objects.map(({material}) => material).sort();
-  const names = async (each) => (await each.get('/sensors')).map(({name, model}) => `${name} ${model}`);
+const MAZE = `scene: ${scene('rescue_maze.sdf')}
+http: 127.0.0.1:0
+robots:
+  rescue:
+    pose: {xyz: [1, 1, 0]}
+    poses: ${scene('rescue_maze.tum')}
+    sensors:
+      front: {model: UST-20LX, mount: {xyz: [0.2, 0, 0.25]}, tcp: "127.0.0.1:0"}
+      rear: {model: URG-04LX, mount: {xyz: [-0.2, 0, 0.2], rpy: [0, 0, 3.14159]}, tcp: "127.0.0.1:0"}
+  scout:
+    sensors: {top: {model: UTM-30LX-EW, tcp: "127.0.0.1:0", profile: {serial: X0000001}}}
+`;
+
+test('meshes are saved with their world, and all scanners with theirs', async ({page, start}, info) => {
+  const file = info.outputPath('maze.yaml');
+  writeFileSync(file, MAZE);
+  const daemon = await start(['--config', file]);
   await open(page, daemon, '#panel=world');
-  const wanted = [await names(daemon), await materials(daemon)];
   const config = await saved(page, info);
   expect(readdirSync(path.join(path.dirname(config), 'meshes')).length).toBeGreaterThan(0);
-  // Their poses by UDP come to the same port.
-  await page.goto('about:blank');
-  await daemon.end();
-  const again = await start(['--config', config, '--free-ports']);
-  expect([await names(again), await materials(again)]).toEqual(wanted);
+  const again = await start(['--config', config]);
+  const scanners = async (each) => (await each.get('/sensors')).map(({name, model, errors}) => ({name, model, errors}));
+  expect(await scanners(again)).toEqual(await scanners(daemon));
+  const materials = async (each) => (await each.get('/scene/objects')).objects.map(({material}) => material).sort();
+  expect(await materials(again)).toEqual(await materials(daemon));
 });
 
 test('fog is seen once scanners see the light', async ({page, start, complaints}) => {
