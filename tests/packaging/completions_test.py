@@ -38,6 +38,7 @@ CASES = [
     ("scipctl scene map --", ["--output", "--resolution"], ["--replace"]),
     ("scipctl completion ", ["bash", "zsh", "fish"], ["status"]),
     ("scipfit ro", ["room"], ["export"]),
+    ("scipfit --", ["--room", "--report", "--output"], ["--for"]),
     ("scipfit export x --for ", ["amcl", "gz", "mvsim", "stage"], ["--for"]),
     ("scipbench com", ["compare", "completion"], ["table3"]),
     ("scipd --vers", ["--version"], ["--help"]),
