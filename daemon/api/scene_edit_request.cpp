@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "daemon/world/base64.h"
+#include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/small_json.h"
 #include "sim/text/likely_unit.h"
