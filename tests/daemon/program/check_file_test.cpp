@@ -38,8 +38,6 @@ class CheckFile : public testing::Test {
             text = check(dir_.path() / name, options);
         } catch (const sim::LoadError& error) {
             text = std::string("refused: ") + error.what();
-        } catch (const sim::LoadError& error) {
-            text = std::string("refused: ") + error.what();
         }
         const std::string folder = dir_.path().string() + "/";
         for (auto at = text.find(folder); at != text.npos; at = text.find(folder))
