@@ -60,10 +60,10 @@ TEST_F(RosMapFaults, everyFaultOfTheYamlAtOnceWithItsLine) {
                 ElementsAre("a.yaml:1: image: is missing; every map has one",
                             "a.yaml:1: resolution: must be within 0.0001 and 1000 m a pixel",
                             "a.yaml:2: origin: x and y must be metres within 1e7",
-                            "a.yaml:6: mode: must be trinary, scale or raw",
                             "a.yaml:3: negate: must be 0 or 1",
                             "a.yaml:4: occupied_thresh: must be a number within 0 and 1",
-                            "a.yaml:5: free_thresh: must be a number within 0 and 1"));
+                            "a.yaml:5: free_thresh: must be a number within 0 and 1",
+                            "a.yaml:6: mode: must be trinary, scale or raw"));
     EXPECT_THAT(faults(yaml("[]", "mode: raw\n")),
                 ElementsAre("a.yaml:1: image: must name a picture"));
     EXPECT_THAT(faults("image: a.pgm\nresolution: 1\norigin: [0, 0]\nnegate: 0\n"),
