@@ -75,6 +75,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     /// To be called from within somebody_there(). Drops what has been read and is not yet on its
     /// way to the device.
     void drop_input();
+    /// Asked there: whether something has been read that is not yet on its way.
+    [[nodiscard]] bool has_input() const { return received_ > 0; }
 
     [[nodiscard]] const LinkCounts& counts() const { return counts_; }
     [[nodiscard]] std::uint64_t lost() const { return counts_.lost_scans; }

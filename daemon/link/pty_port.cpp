@@ -204,9 +204,14 @@ void PtyPort::watch() {
 // Asked before each request is looked at: whatever the one before left behind is gone before the
 // new one is answered.
 bool PtyPort::somebody_there() {
-    const TtyOpens::News news = opens_.look([this] { return somebody_else(); });
+    int waiting = 0;
+    ::ioctl(master_.native_handle(), FIONREAD, &waiting);
+    const bool unread = waiting > 0 || (connection() && connection()->has_input());
+    const TtyOpens::News news = opens_.look([this] { return somebody_else(); }, unread);
+    // At once: the next one may write right now, and a line of the log takes a while.
+    if (news.closed && !news.next_was_heard) drop_input(waiting > 0 || news.last_has_written);
     if (news.closed) tell_left(Leaving::closed);
-    if (news.closed) last_one_closed(news.next_was_heard);
+    if (news.closed) last_one_closed();
     if (news.opened) tell_connected({});
     return opens_.any();
 }
@@ -231,12 +236,14 @@ bool PtyPort::somebody_else() {
 // Where both the one before and the next one have written since the tty was looked at, nobody can
 // tell whose bytes are whose, and neither is heard: drivers ask again, and none of them gets over
 // an answer to another one's request.
-void PtyPort::last_one_closed(bool next_was_heard) {
-    if (Connection* const client = connection()) {
+void PtyPort::drop_input(bool waits) {
+    if (waits) ::tcflush(master_.native_handle(), TCIFLUSH);
+    if (connection()) connection()->drop_input();
+}
+
+void PtyPort::last_one_closed() {
+    if (Connection* const client = connection())
         line().link.stop_on_close ? client->hang_up() : client->forget();
-        if (!next_was_heard) client->drop_input();
-    }
-    if (!next_was_heard) ::tcflush(master_.native_handle(), TCIFLUSH);
     clean_tty();
 }
 
@@ -274,7 +281,7 @@ void PtyPort::watch_for_hang_up() {
                       [self = shared_from_this(), made = made_](error_code error) {
                           if (error || made != self->made_) return;
                           self->somebody_there();
-                          if (hung_up(self->slave_.native_handle())) self->last_one_closed(true);
+                          if (hung_up(self->slave_.native_handle())) self->last_one_closed();
                       });
 }
 

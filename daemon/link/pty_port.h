@@ -59,7 +59,9 @@ class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
     /// now.
     bool somebody_there();
     [[nodiscard]] bool somebody_else();
-    void last_one_closed(bool next_was_heard);
+    /// `waits`: there is some that has not been read.
+    void drop_input(bool waits);
+    void last_one_closed();
     void clean_tty();
     /// In place of the open of the terminal that it has kept so far. False: that is none.
     [[nodiscard]] bool hold_open(int slave);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include <sys/inotify.h>
+#include <sys/poll.h>
 #include <unistd.h>
 
 #include "daemon/link/descriptors.h"
@@ -36,12 +37,18 @@ void TtyOpens::end() {
     missed_ = false;
 }
 
-TtyOpens::News TtyOpens::look(const Ask& somebody_else) {
+TtyOpens::News TtyOpens::look(const Ask& somebody_else, bool unread) {
     const bool were_any = any();
     News news;
     Writes writes;
     closes_ = 0;
-    const bool all = read(news, writes);
+    bool all = read(news, writes);
+    // Bytes of whoever has just come are here before the kernel tells of the write.
+    if (all && unread && news.closed && any() && !writes.last && !writes.before) {
+        pollfd told{.fd = events_.native_handle(), .events = POLLIN, .revents = 0};
+        constexpr int patience_ms = 1;
+        if (::poll(&told, 1, patience_ms) == 1) all = read(news, writes);
+    }
     if (!all || (missed_ && closes_ > 0)) {
         count_anew(somebody_else);
         news.closed = news.closed || !any();
@@ -49,6 +56,7 @@ TtyOpens::News TtyOpens::look(const Ask& somebody_else) {
     }
     news.opened = news.opened && any();
     news.next_was_heard = all && writes.last && !writes.before;
+    news.last_has_written = !all || writes.before;
     return news;
 }
 

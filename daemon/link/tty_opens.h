@@ -31,11 +31,13 @@ class TtyOpens {
         bool closed = false;  ///< the last one has gone; another one may have come
         /// Whoever has it open has written, and nobody before has: all that can be read is theirs.
         bool next_was_heard = false;
+        bool last_has_written = false;  ///< who has gone may have
     };
     /// Whether somebody else has the terminal open now: it closes the terminal and opens it again,
     /// once each.
     using Ask = std::function<bool()>;
-    [[nodiscard]] News look(const Ask& somebody_else);
+    /// `unread`: bytes have come that nobody has been found to have written.
+    [[nodiscard]] News look(const Ask& somebody_else, bool unread);
 
     /// Calls it once, when there may be news; with an error after end().
     template <class Call>
