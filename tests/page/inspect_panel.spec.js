@@ -87,7 +87,10 @@ test('the table has what was sent and what was true', async ({page, start}) => {
         (row) => [...row.children].map((cell) => cell.textContent)),
     }));
     const truth = await daemon.get(`/sensors/${SENSOR}/truth?scan=${scan}`).catch(() => null);
-    if (!truth && tries < 20) continue;
+    if (!truth && tries < 60) {
+      await page.waitForTimeout(100);
+      continue;
+    }
     expect(rows.length).toBe(11);
     expect(rows).toEqual(Array.from({length: 11}, (_, k) => 695 + k).map((step) => [
       String(step), ((step - FRONT) / 4).toFixed(2), (truth.sent_mm[step] / 1000).toFixed(3),

@@ -145,6 +145,8 @@ export class PolarPlot {
     if (Number.isNaN(to)) return;
     event.preventDefault();
     event.stopPropagation();
-    this.act(Math.min(Math.max(to, 0), last), true);
+    // The next key may come before this step is drawn.
+    this.i = Math.min(Math.max(to, 0), last);
+    this.act(this.i, true);
   }
 }
