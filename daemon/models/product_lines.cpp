@@ -164,6 +164,16 @@ sim::SensorSpec uxm_optics() {
     return optics;
 }
 
+void take_uxm_limits(protocol::DeviceProfile& profile) {
+    profile.dmin_mm = 100;
+    profile.nearest_mm = 100;
+    profile.dmax_mm = 100000;
+    profile.amax = 760;
+    profile.last_step = 760;
+    profile.afrt = 380;
+    profile.scan_rpm = 1200;
+}
+
 void double_resolution(protocol::DeviceProfile& profile) {
     for (int* steps :
          {&profile.ares, &profile.amin, &profile.amax, &profile.afrt, &profile.last_step})

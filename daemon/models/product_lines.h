@@ -68,6 +68,9 @@ sim::SensorSpec ust_optics(double dark_range_m);
 /// neighbours are equal.
 sim::SensorSpec uxm_optics();
 
+/// What a UXM-30LX reads and how fast it turns: 0.1 to 100 m, 190 degrees, 1200 rpm.
+void take_uxm_limits(protocol::DeviceProfile& profile);
+
 /// Twice as many steps over the same angles.
 void double_resolution(protocol::DeviceProfile& profile);
 

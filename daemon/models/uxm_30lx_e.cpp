@@ -17,13 +17,7 @@ Model uxm_30lx_e() {
     profile.firmware = "0.3.01(11/Mar./2010)";
     profile.serial = "H0909106";
     profile.model = "UXM-30LX-E(Hokuyo Automatic Co.,Ltd.)";
-    profile.dmin_mm = 100;
-    profile.nearest_mm = 100;
-    profile.dmax_mm = 100000;
-    profile.amax = 760;
-    profile.last_step = 760;
-    profile.afrt = 380;
-    profile.scan_rpm = 1200;
+    take_uxm_limits(profile);
     profile.motor_speed = "Initial(1200[rpm])";
     // That recording says CLASSIC later. The reason is unknown.
     profile.mode_measuring = "STANDARD(max:100000[mm])";

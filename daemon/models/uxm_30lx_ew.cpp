@@ -14,13 +14,7 @@ protocol::DeviceProfile uxm_ew_profile(const std::string& name, const std::strin
     protocol::DeviceProfile profile = ew_profile(name, serial);
     profile.release = "1.0.0";
     profile.firmware = "1.0.0 (2011-09-30)";
-    profile.dmin_mm = 100;
-    profile.nearest_mm = 100;
-    profile.dmax_mm = 100000;
-    profile.amax = 760;
-    profile.last_step = 760;
-    profile.afrt = 380;
-    profile.scan_rpm = 1200;
+    take_uxm_limits(profile);
     profile.motor_speed = "1200";
     profile.scan_period = 50'100us;  // longer than nominal, as on the UTM-30LX-EW
     return profile;
