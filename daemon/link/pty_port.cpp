@@ -205,8 +205,10 @@ void PtyPort::watch() {
 // new one is answered.
 bool PtyPort::somebody_there() {
     int waiting = 0;
-    ::ioctl(master_.native_handle(), FIONREAD, &waiting);
-    const bool unread = waiting > 0 || (connection() && connection()->has_input());
+    const auto unread = [&] {
+        ::ioctl(master_.native_handle(), FIONREAD, &waiting);
+        return waiting > 0 || (connection() && connection()->has_input());
+    };
     const TtyOpens::News news = opens_.look([this] { return somebody_else(); }, unread);
     // At once: the next one may write right now, and a line of the log takes a while.
     if (news.closed && !news.next_was_heard) drop_input(waiting > 0 || news.last_has_written);

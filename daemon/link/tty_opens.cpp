@@ -37,14 +37,14 @@ void TtyOpens::end() {
     missed_ = false;
 }
 
-TtyOpens::News TtyOpens::look(const Ask& somebody_else, bool unread) {
+TtyOpens::News TtyOpens::look(const Ask& somebody_else, const Ask& unread) {
     const bool were_any = any();
     News news;
     Writes writes;
     closes_ = 0;
     bool all = read(news, writes);
     // Bytes of whoever has just come are here before the kernel tells of the write.
-    if (all && unread && news.closed && any() && !writes.last && !writes.before) {
+    if (all && news.closed && !writes.last && !writes.before && unread() && any()) {
         pollfd told{.fd = events_.native_handle(), .events = POLLIN, .revents = 0};
         constexpr int patience_ms = 1;
         if (::poll(&told, 1, patience_ms) == 1) all = read(news, writes);

@@ -36,8 +36,9 @@ class TtyOpens {
     /// Whether somebody else has the terminal open now: it closes the terminal and opens it again,
     /// once each.
     using Ask = std::function<bool()>;
-    /// `unread`: bytes have come that nobody has been found to have written.
-    [[nodiscard]] News look(const Ask& somebody_else, bool unread);
+    /// `unread`: whether bytes have come that nobody has looked at. Asked where the last one has
+    /// gone.
+    [[nodiscard]] News look(const Ask& somebody_else, const Ask& unread);
 
     /// Calls it once, when there may be news; with an error after end().
     template <class Call>
