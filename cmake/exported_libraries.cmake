@@ -123,7 +123,8 @@ scipd_exports(
           sim/sensor/scanner.h
           sim/sensor/sensor_spec.h
           sim/sensor/spec_curves.h
-          sim/sensor/staring.h)
+          sim/sensor/staring.h
+          sim/sensor/steady_error.h)
 
 scipd_exports(
   testing

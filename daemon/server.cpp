@@ -39,6 +39,10 @@ Server::Server(const Options& options)
     : options_(options),
       signals_(io_, SIGHUP),
       rig_(io_.get_executor(), options_.config.clock, &handed_, options_.threads),
+      sensors_(rig_, running_,
+               [this](RigPlan&& plan) {
+                   spdlog::info("asked for over the control API: {}", run_as(std::move(plan)));
+               }),
       service_(io_.get_executor(), served(rig_.simulation())),
       control_(
           io_.get_executor(),
@@ -59,7 +63,7 @@ Server::Server(const Options& options)
     rig_.apply(std::move(plan));
     if (shared_) shared_->serve(config, unlike_the_others);
     running_ = config;
-    api_.run_as(running_);
+    api_.run_as(running_, sensors_);
     rig_.simulation().choose_backends();
     wait_for_signal();
 }
@@ -239,22 +243,15 @@ Server::Next Server::load_next(const Options& options, const Running& running,
 void Server::take_up(std::future<Next> loaded) {
     try {
         Next next = loaded.get();
-        const Config config = next.plan.config;
-        const auto unlike_the_others = next.plan.unlike_the_others;
-        const std::chrono::duration<double, std::milli> still = rig_.apply(std::move(next.plan));
-        spdlog::debug("SIGHUP: all sensors stood still for {:.1f} ms", still.count());
-        if (shared_) shared_->serve(config, unlike_the_others);
+        const std::string changes = run_as(std::move(next.plan));
         if (next.asks_for_a_start) {
             spdlog::warn(
                 "SIGHUP: control, http with its token, clock and fleet stay as they are until "
                 "scipd "
                 "is started again");
         }
-        rig_.simulation().choose_backends();
-        warn_of_unneeded(config);
-        spdlog::info("SIGHUP: {} is running now; {}", options_.config_file->string(),
-                     changes_between(running_, config));
-        running_ = config;
+        warn_of_unneeded(running_);
+        spdlog::info("SIGHUP: {} is running now; {}", options_.config_file->string(), changes);
         service_.reloaded();
     } catch (const std::exception& error) {
         spdlog::error("SIGHUP: nothing was changed, since\n{}", error.what());
@@ -262,6 +259,19 @@ void Server::take_up(std::future<Next> loaded) {
     }
     loading_ = false;
     if (asked_again_) reload();
+}
+
+std::string Server::run_as(RigPlan&& plan) {
+    const Config config = plan.config;
+    const Config was = as_it_reads(running_, rig_.simulation().stations);
+    const auto unlike_the_others = plan.unlike_the_others;
+    const std::chrono::duration<double, std::milli> still = rig_.apply(std::move(plan));
+    spdlog::debug("all sensors stood still for {:.1f} ms", still.count());
+    if (shared_) shared_->serve(config, unlike_the_others);
+    rig_.simulation().choose_backends();
+    std::string changes = changes_between(was, config);
+    running_ = config;
+    return changes;
 }
 
 void Server::stop() {

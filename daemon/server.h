@@ -23,6 +23,7 @@
 #include "daemon/program/run_options.h"
 #include "daemon/rig/rig.h"
 #include "daemon/rig/rig_api.h"
+#include "daemon/rig/sensor_editor.h"
 #include "daemon/service/handed_sockets.h"
 #include "daemon/service/service.h"
 
@@ -59,6 +60,8 @@ class Server {
     static Next load_next(const Options& options, const Running& running,
                           const std::stop_token& stop, const JoinWorld& join);
     void take_up(std::future<Next> loaded);
+    /// Runs it from now on. Throws what Rig::apply() throws. Returns what it changes, in words.
+    std::string run_as(RigPlan&& plan);
     void stop();
 
     /// Warns of sockets that were handed over and that nobody needs.
@@ -72,6 +75,7 @@ class Server {
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_;
     Rig rig_;
+    SensorEditor sensors_;
     RigApi api_{rig_.simulation()};
     std::optional<SharedWorld> shared_;  ///< nothing: the world is this daemon's alone
     Service service_;

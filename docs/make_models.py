@@ -46,6 +46,16 @@ A URG-04LX, URG-04LX-UG01 or UBG-04LX-F01 may also be asked for the steps 0 to 4
 measure: they read 19. Real units do so, too: two URG-04LX in all of 661 recorded scans. urg_node and urg_node2 ask for
 steps 0 to 725, and publish 44 beams of 19 mm; `angle_min: -2.08` and `angle_max: 2.09` leave them out.
 """
+TIMES = """
+## Codes and times
+
+What a scanner sends in place of a distance, in brackets what comes now and then;
+[errors.md](errors.md#causes-and-codes) says what causes which. How long a turn of the mirror really takes, when a scan
+leaves after its last step, and how long the scanner boots.
+
+| model | codes | | turn | | a scan leaves | | boot | |
+|---|---|---|---|---|---|---|---|---|
+"""
 ERRORS = """
 ## Errors
 
@@ -58,22 +68,23 @@ WORDS = {"doc": "documented", "ded": "deduced"}
 
 
 def tables(scipd):
-    """The three tables of --list-models: figures, commands and how each is known, each by model."""
+    """The tables of --list-models, each by model: figures, commands, codes and times, and how all is known."""
     said = subprocess.run([scipd, "--list-models"], capture_output=True, text=True, check=True).stdout
     found = []
     for block in said.split("\n\n"):
         titles, *rows = [re.split(r"  +", line) for line in block.strip().splitlines()]
         if titles[0] == "MODEL":
             found.append({row[0]: dict(zip(titles[1:], row[1:], strict=True)) for row in rows})
-    figures, commands, sure = found
-    if not figures.keys() == commands.keys() == sure.keys():
+    figures, commands, times, sure, sure_of_times = found
+    if not all(table.keys() == figures.keys() for table in found):
         sys.exit("docs/make_models.py does not understand what --list-models prints")
-    return figures, commands, {model: {title: WORDS.get(word, word) for title, word in row.items()}
-                               for model, row in sure.items()}
+    return figures, commands, times, {
+        model: {title: WORDS.get(word, word) for title, word in {**row, **sure_of_times[model]}.items()}
+        for model, row in sure.items()}
 
 
 def models_page(scipd):
-    figures, commands, sure = tables(scipd)
+    figures, commands, times, sure = tables(scipd)
     text = HEAD
     for name, row in figures.items():
         text += (f"| {name} | {row['RANGE mm']} | {sure[name]['RANGE']} | {row['STEPS']} | {sure[name]['STEPS']} "
@@ -83,6 +94,9 @@ def models_page(scipd):
     for name, row in figures.items():
         text += (f"| {name} | {row['LINKS']} | {sure[name]['LINKS']} | {commands[name]['COMMANDS']} "
                  f"| {sure[name]['COMMANDS']} | {sure[name]['TEXTS']} |\n")
+    text += TIMES
+    for name, row in times.items():
+        text += "| " + " | ".join([name, *(f"{value} | {sure[name][title]}" for title, value in row.items())]) + " |\n"
     text += ERRORS + "| model | noise | bias and drift | light |\n|---|---|---|---|\n"
     curves = {name: [row[title] for title in ("NOISE", "BIAS", "LIGHT")] for name, row in sure.items()}
     for name, words in curves.items():

@@ -29,8 +29,8 @@ constexpr unsigned http_1_1 = 11;
 using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
-/// The detail of a problem document (RFC 9457) with its errors, or the next best text. Its title
-/// only repeats the status.
+/// The detail of a problem document (RFC 9457) with those of its errors that it does not tell, or
+/// the next best text. Its title only repeats the status.
 std::string sentence_of(const Response& response) {
     const auto document = nlohmann::json::parse(response.body(), nullptr, false);
     if (!document.is_object()) return "scipd answers " + std::to_string(response.result_int());
@@ -42,8 +42,10 @@ std::string sentence_of(const Response& response) {
     std::string sentence = text("detail").empty() ? text("title") : text("detail");
     if (sentence.empty()) sentence = std::string(response.reason());
     if (sentence.find(text("field")) == std::string::npos) sentence.insert(0, text("field") + ": ");
-    for (const auto& error : document.value("errors", nlohmann::json::array()))
-        sentence += "\n" + error.get<std::string>();
+    for (const auto& error : document.value("errors", nlohmann::json::array())) {
+        const auto said = error.get<std::string>();
+        if (sentence.find(said) == std::string::npos) sentence += "\n" + said;
+    }
     return sentence;
 }
 

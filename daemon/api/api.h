@@ -37,6 +37,7 @@ class Rate;
 class Recordings;
 class SceneGallery;
 class SenderClock;
+struct AddedSensor;
 struct Config;
 
 struct SceneView {
@@ -54,6 +55,11 @@ class Api {
     /// What is running, as it stands now: with the poses of robots, what fills the air, and how
     /// well scanners read.
     [[nodiscard]] virtual Config configuration() const = 0;
+
+    /// Calls `done` as edit_scene() does. Nobody who is served by another sensor notices.
+    virtual void add_sensor(AddedSensor sensor, EditDone done, std::stop_token withdrawn) = 0;
+    virtual void remove_sensor(const std::string& robot, const std::string& sensor, EditDone done,
+                               std::stop_token withdrawn) = 0;
 
     /// The latest measurement of "rescue/front". A scanner has none (null) before anybody asks it
     /// for scans; a camera or ranger measures now. Nothing: there is no such sensor.

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "daemon/api/object_text.h"
+#include "daemon/config/values.h"
+#include "sim/sensor/steady_error.h"
 
 namespace scipd::daemon {
 namespace {
@@ -118,14 +120,29 @@ void add_sent_echoes(ObjectText& text, const std::vector<protocol::StepEchoes>& 
     add("sent_echoes_intensity", &protocol::Echo::intensity);
 }
 
-/// Adds what the unit reads too far, where it has read something.
+/// The range that became this reading, before any error: that of the echo with its light, or of the
+/// hit where no light is seen.
+float true_range_m(const sim::Scan& cast, std::size_t beam, const sim::Receiver& receiver) {
+    const sim::Reading& reading = cast.readings[beam];
+    if (reading.signal > 0.0F && beam < cast.echoes.beams()) {
+        for (const sim::Echo& echo : cast.echoes[beam]) {
+            if (sim::signal_of(receiver, echo.range_m, echo.power) == reading.signal)
+                return echo.range_m;
+        }
+    }
+    return cast.middle(beam).range_m;
+}
+
+/// Adds what the unit reads too far, where it has read something: the error of the true range.
 void add_bias(ObjectText& text, const ScanRecord& record) {
-    text.add_list(
-        "bias_m", record.cast->readings, [&](std::string& list, const sim::Reading& reading) {
-            const bool read = reading.cause == sim::Cause::measured;
-            const double none = std::numeric_limits<double>::infinity();
-            append_rounded(list, read ? sim::steady_error_m(*record.optics, reading) : none);
-        });
+    const sim::Scan& cast = *record.cast;
+    text.add_list("bias_m", cast.readings.size(), [&](std::string& list, std::size_t beam) {
+        sim::Reading unread = cast.readings[beam];
+        unread.range_m = true_range_m(cast, beam, record.optics->receiver);
+        const bool read = unread.cause == sim::Cause::measured;
+        const double none = std::numeric_limits<double>::infinity();
+        append_rounded(list, read ? sim::steady_error_m(*record.optics, unread) : none);
+    });
 }
 
 /// Adds the stages between what the beams met and what was sent.

@@ -20,6 +20,7 @@ constexpr std::size_t most_waiting = 1000;
 
 struct Recordings::Recording {
     Order order;
+    sim::Time unix_origin;  ///< asked once, so that a step of the host's clock tears nothing
     std::vector<sim::RecordedScan> scans = {};
     bool complete = false;
     std::optional<std::stop_callback<std::function<void()>>> on_withdrawn = {};
@@ -38,7 +39,7 @@ Recordings::Tap::~Tap() {
 }
 
 void Recordings::begin(Order order) {
-    const auto recording = std::make_shared<Recording>(std::move(order));
+    const auto recording = std::make_shared<Recording>(std::move(order), clock_.unix_origin());
     recordings_.push_back(recording);
     follow_all();
     recording->on_withdrawn.emplace(recording->order.withdrawn,
@@ -55,6 +56,7 @@ void Recordings::follow_all() {
 void Recordings::follow(Tap& tap) {
     const bool wanted = std::ranges::any_of(
         recordings_, [&](const auto& recording) { return recording->order.sensor == tap.name_; });
+    if (std::exchange(tap.watches_, wanted) == wanted) return;
     if (!wanted) return tap.device_.watch(nullptr, WatchedBy::recordings);
     const auto identity =
         std::make_shared<const sim::ScannerIdentity>(identity_of(tap.device_.profile()));
@@ -74,6 +76,7 @@ void Recordings::take(const std::string& sensor, const SharedIdentity& identity,
     for (const auto& recording : recordings_) {
         if (recording->order.sensor != sensor || recording->complete) continue;
         recording->scans.push_back(scan);
+        *recording->scans.back().host_time += recording->unix_origin;
         recording->complete = recording->scans.size() == recording->order.scans;
         if (recording->complete) finish(recording, identity);
     }

@@ -2,8 +2,9 @@
 // Copyright The scipd authors
 //
 // The recordings that clients of the API ask for: a scanner's next scans, as the file that scipcat
-// would write of them. Scans are cast for them, whether a driver wants any or not. The files are
-// made aside. Lives on the I/O thread; what scanners tell on another thread is carried there.
+// would write of them, in Unix time on the wall clock. Scans are cast for them, whether a driver
+// wants any or not. The files are made aside. Lives on the I/O thread; what scanners tell on
+// another thread is carried there.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "daemon/api/scan_stream.h"
+#include "daemon/clock/clock.h"
 #include "daemon/world/worker.h"
 #include "sim/expected.h"
 #include "sim/recording/values/recorded_scan.h"
@@ -46,6 +48,7 @@ class Recordings {
         Recordings& recordings_;
         std::string name_;
         Device& device_;
+        bool watches_ = false;
     };
 
     /// What somebody wants.
@@ -60,7 +63,9 @@ class Recordings {
         std::function<void()> gone = {};
     };
 
-    Recordings(Ways ways, Aside aside) : ways_(std::move(ways)), aside_(std::move(aside)) {}
+    /// `clock` must outlive it.
+    Recordings(Ways ways, const Clock& clock, Aside aside)
+        : ways_(std::move(ways)), clock_(clock), aside_(std::move(aside)) {}
     Recordings(const Recordings&) = delete;
     Recordings& operator=(const Recordings&) = delete;
 
@@ -83,6 +88,7 @@ class Recordings {
     void forget(const Recording* recording);
 
     Ways ways_;
+    const Clock& clock_;
     Aside aside_;
     std::vector<Tap*> taps_;
     std::vector<std::shared_ptr<Recording>> recordings_;

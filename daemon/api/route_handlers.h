@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "daemon/api/api.h"
+#include "daemon/api/documents.h"
 #include "daemon/api/faults_api.h"
 #include "daemon/http/http_message.h"
 
@@ -39,6 +40,13 @@ void get_sensor(Call&& call);
 void patch_sensor(Call&& call);
 void get_reading(Call&& call);
 void get_truth(Call&& call);
+/// As GET tells it; null: there is none of this name.
+[[nodiscard]] Json sensor_document(const Api& api, const std::string& sensor);
+
+// new_sensor_routes.cpp
+void get_models(Call&& call);
+void post_sensor(Call&& call);
+void delete_sensor(Call&& call);
 
 // replay_routes.cpp
 void get_replay(Call&& call);

@@ -21,7 +21,7 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 44> table{{
+constexpr std::array<Route, 47> table{{
     {"GET", "/", get_page},
     {"GET", "/favicon.ico", get_icon},
     {"GET", "/page/{file}", get_page_file},
@@ -30,8 +30,11 @@ constexpr std::array<Route, 44> table{{
     {"GET", "/metrics", get_metrics},
     {"GET", "/configuration", get_configuration},
     {"GET", "/sensors", get_sensors},
+    {"POST", "/sensors", post_sensor},
+    {"GET", "/sensors/models", get_models},
     {"GET", "/sensors/{robot}/{sensor}", get_sensor},
     {"PATCH", "/sensors/{robot}/{sensor}", patch_sensor},
+    {"DELETE", "/sensors/{robot}/{sensor}", delete_sensor},
     {"GET", "/sensors/{robot}/{sensor}/reading", get_reading},
     {"GET", "/sensors/{robot}/{sensor}/recording", get_recording},
     {"GET", "/sensors/{robot}/{sensor}/replay", get_replay},

@@ -195,11 +195,16 @@ void get_sensors(Call&& call) {
     call.respond(ok(to_json(call.api.report().sensors)));
 }
 
-void get_sensor(Call&& call) {
-    for (const SensorReport& candidate : call.api.report().sensors) {
-        if (candidate.name == sensor_of(call)) return call.respond(ok(to_json(candidate)));
+Json sensor_document(const Api& api, const std::string& sensor) {
+    for (const SensorReport& candidate : api.report().sensors) {
+        if (candidate.name == sensor) return to_json(candidate);
     }
-    call.respond(no_sensor(sensor_of(call)));
+    return {};
+}
+
+void get_sensor(Call&& call) {
+    const Json document = sensor_document(call.api, sensor_of(call));
+    call.respond(document.is_null() ? no_sensor(sensor_of(call)) : ok(document));
 }
 
 void patch_sensor(Call&& call) {

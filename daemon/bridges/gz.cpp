@@ -38,6 +38,18 @@ using namespace std::chrono_literals;
 constexpr auto time_to_be_found = 3s;
 constexpr auto look_every = 1s;
 
+/// gz-transport 13 and later also tell who listens, and warn who does not ask.
+template <class Node>
+std::vector<transport::MessagePublisher> publishers_of(const Node& node, const std::string& topic) {
+    std::vector<transport::MessagePublisher> publishers;
+    std::vector<transport::MessagePublisher> subscribers;
+    if constexpr (requires { node.TopicInfo(topic, publishers, subscribers); })
+        node.TopicInfo(topic, publishers, subscribers);
+    else
+        node.TopicInfo(topic, publishers);
+    return publishers;
+}
+
 class GzBus : public Bus {
   public:
     GzBus(const std::vector<std::string>& topics, BusListener& listener)
@@ -98,9 +110,7 @@ class GzBus : public Bus {
         std::set<std::string> readable;
         std::string other_type;
         for (const std::string& topic : topics) {
-            std::vector<transport::MessagePublisher> publishers;
-            node_.TopicInfo(topic, publishers);
-            for (const auto& publisher : publishers) {
+            for (const auto& publisher : publishers_of(node_, topic)) {
                 if (is_readable_gz_type(publisher.MsgTypeName()))
                     readable.insert(topic);
                 else if (topic == topic_)

@@ -42,6 +42,9 @@ class Clock {
     /// What people and their programs call world time 0. It is 0 itself, or in lockstep the stamp
     /// of that moment. The daemon does not calculate with it. It adds it when it reports a time.
     [[nodiscard]] virtual sim::Time origin() const { return {}; }
+    /// What to add now to a time that is reported, for Unix time. 0 in lockstep: the stamps are the
+    /// time, whatever they count from.
+    [[nodiscard]] virtual sim::Time unix_origin() const { return {}; }
     [[nodiscard]] virtual std::unique_ptr<Alarm> make_alarm() = 0;
     /// For a call that is made on the way, and that nobody waits for: a clock that goes on only as
     /// long as somebody waits does not go on for this.

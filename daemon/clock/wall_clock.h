@@ -27,6 +27,9 @@ class WallClock : public Clock {
         : executor_(std::move(executor)), defer_(std::move(defer)), epoch_(same.epoch_) {}
 
     [[nodiscard]] sim::Time now() const override { return Steady::now() - epoch_; }
+    [[nodiscard]] sim::Time unix_origin() const override {
+        return std::chrono::system_clock::now().time_since_epoch() - now();
+    }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
     [[nodiscard]] std::unique_ptr<Alarm> make_slow_alarm(Ahead ahead) override;
 

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -71,14 +73,18 @@ void read_members(const sim::YamlSection& section, const Table& table, Struct& t
     }
 }
 
-/// A list of maps.
+/// A list of maps. `needed`: the keys that each must have.
 template <class Item, const auto& table>
-std::vector<Item> maps_of(const sim::YamlField& list, sim::YamlFaults& faults) {
+std::vector<Item> maps_of(const sim::YamlField& list, sim::YamlFaults& faults,
+                          std::initializer_list<std::string_view> needed = {}) {
     std::vector<Item> read;
     std::vector<sim::YamlField> maps;
     faults.take(list, items(list), maps);
     for (const sim::YamlField& item : maps) {
         const sim::YamlSection section{item, keys_of(table), faults};
+        for (const std::string_view key : needed) {
+            if (!section.find(key)) faults.add(item, "needs " + std::string(key));
+        }
         read_members(section, table, read.emplace_back(Item{}), faults);
     }
     return read;

@@ -76,12 +76,13 @@ void require_growing(const sim::YamlField& field, const std::vector<Point>& curv
 }
 
 void read_bias(const sim::YamlField& field, SensorSpec& optics, sim::YamlFaults& faults) {
-    optics.bias = maps_of<BiasPoint, bias_members>(field, faults);
+    optics.bias = maps_of<BiasPoint, bias_members>(field, faults, {"range_m", "bias_m"});
     require_growing(field, optics.bias, faults);
 }
 
 void read_intensity(const sim::YamlField& field, Receiver& receiver, sim::YamlFaults& faults) {
-    receiver.intensity = maps_of<IntensityPoint, intensity_members>(field, faults);
+    receiver.intensity =
+        maps_of<IntensityPoint, intensity_members>(field, faults, {"range_m", "intensity"});
     require_growing(field, receiver.intensity, faults);
 }
 
@@ -96,6 +97,12 @@ constexpr Member<Smoothing> smoothing_members[] = {
     {"median_of_five", read_as<&Smoothing::median_of_five, parse_switch>},
 };
 
+/// In place of the model's: half of a median and half of a mix are neither.
+void read_smoothing(const sim::YamlField& field, SensorSpec& optics, sim::YamlFaults& faults) {
+    optics.smoothing = {};
+    read_map<&SensorSpec::smoothing, smoothing_members>(field, optics, faults);
+}
+
 constexpr Member<IntensityNoisePoint> intensity_noise_members[] = {
     {"intensity", read_as<&IntensityNoisePoint::intensity, parse_length>},
     {"share", read_as<&IntensityNoisePoint::share, parse_share>},
@@ -103,7 +110,8 @@ constexpr Member<IntensityNoisePoint> intensity_noise_members[] = {
 
 void read_intensity_noise(const sim::YamlField& field, Receiver& receiver,
                           sim::YamlFaults& faults) {
-    receiver.intensity_noise = maps_of<IntensityNoisePoint, intensity_noise_members>(field, faults);
+    receiver.intensity_noise = maps_of<IntensityNoisePoint, intensity_noise_members>(
+        field, faults, {"intensity", "share"});
     for (std::size_t i = 1; i < receiver.intensity_noise.size(); ++i) {
         if (receiver.intensity_noise[i].intensity <= receiver.intensity_noise[i - 1].intensity)
             faults.add(field, "intensity must grow");
@@ -142,7 +150,7 @@ constexpr Member<Receiver> light_members[] = {
 constexpr Member<SensorSpec> optics_members[] = {
     {"noise", read_noise},
     {"noise_law", read_map<&SensorSpec::noise_law, noise_law_members>},
-    {"smoothing", read_map<&SensorSpec::smoothing, smoothing_members>},
+    {"smoothing", read_smoothing},
     {"bias", read_bias},
     {"warm_up", read_map<&SensorSpec::warm_up, warm_up_members>},
     {"lost_share", read_as<&SensorSpec::lost_share, parse_share>},

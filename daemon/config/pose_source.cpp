@@ -95,6 +95,24 @@ Expected<PoseSource> parse_rosbridge(std::string_view text) {
     return source;
 }
 
+/// "gazebo:" of gazebo:/poses.
+std::string_view prefix_of(std::string_view text) {
+    const auto colon = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789");
+    return colon != text.npos && text[colon] == ':' ? text.substr(0, colon + 1) : "";
+}
+
+/// A file may have a colon in its name. If there is none, the source is more likely misspelt.
+Expected<PoseSource> parse_trajectory(std::string_view text, const fs::path& base) {
+    const auto file = parse_file(text, base);
+    const std::string_view prefix = prefix_of(text);
+    if (!file && !prefix.empty() && !fs::exists(base / text))
+        return refuse(file.error().why + ", and no source " + quote(prefix) +
+                      "; there are udp:, gz:, ros2:, rosbridge: and vda5050:");
+    return file.map([](const fs::path& path) {
+        return PoseSource{.kind = PoseSource::Kind::file, .address = {}, .file = path};
+    });
+}
+
 }  // namespace
 
 Expected<PoseSource> parse_pose_source(std::string_view text, const fs::path& base) {
@@ -115,9 +133,7 @@ Expected<PoseSource> parse_pose_source(std::string_view text, const fs::path& ba
     if (text.starts_with("gz:")) return parse_gz(text.substr(3));
     if (text.starts_with("rosbridge:")) return parse_rosbridge(text.substr(10));
     if (text.starts_with("ros2:")) return parse_ros2(text.substr(5));
-    return parse_file(text, base).map([](const fs::path& file) {
-        return PoseSource{.kind = Kind::file, .address = {}, .file = file};
-    });
+    return parse_trajectory(text, base);
 }
 
 std::string text_of(const PoseSource& source) {

@@ -121,7 +121,7 @@ constexpr Member<RareCode> rare_code_members[] = {
 };
 
 void read_rare_codes(const sim::YamlField& field, DeviceProfile& profile, sim::YamlFaults& faults) {
-    profile.rare_codes = maps_of<RareCode, rare_code_members>(field, faults);
+    profile.rare_codes = maps_of<RareCode, rare_code_members>(field, faults, {"code"});
 }
 
 constexpr Member<Scip1Texts> scip1_members[] = {

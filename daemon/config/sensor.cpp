@@ -129,6 +129,11 @@ void read_scanner(const sim::YamlField& field, const sim::YamlSection& section,
     if (const sim::YamlField* replay = section.find("replay")) {
         sensor.replay = read_replay(*replay, context.base, faults);
         sensor.replay->finds_model = !section.find("model");
+        for (const std::string_view key : {"noise", "bias", "interference"}) {
+            if (const sim::YamlField* errors = section.find(key))
+                faults.warn(*errors,
+                            "a recording has the errors of its own scanner; this adds none");
+        }
     } else if (!section.find("model")) {
         faults.add(field, "needs a model, a camera or a ranger; `scipd --list-models` lists them");
     }

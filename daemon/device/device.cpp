@@ -197,6 +197,7 @@ void Device::prepare(std::int64_t revolution) {
 }
 
 void Device::turn_complete(std::int64_t revolution) {
+    latest_turn_ = revolution;
     if (replay_) turn_as_recorded(revolution + 1);
     if (hook_ != nullptr) {
         hook_->turn(revolution);

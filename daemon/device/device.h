@@ -52,7 +52,6 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const override;
     [[nodiscard]] const protocol::DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const protocol::DeviceState& state() const { return state_; }
-    /// On its own clock.
     [[nodiscard]] protocol::Uptime uptime() const;
 
     /// Changes the device from outside, and tells its clients. Not from within a client's call.
@@ -88,6 +87,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] bool poses_known(std::int64_t revolution) const override;
     void prepare(std::int64_t revolution) override;
     void turn_complete(std::int64_t revolution) override;
+    /// The latest one whose turn was told, which is late where the machine is slow; -1: none.
+    [[nodiscard]] std::int64_t latest_turn() const { return latest_turn_; }
     /// But for what links and faults count.
     [[nodiscard]] SensorCounts counts() const;
     [[nodiscard]] sim::SharedScan latest_scan() const;
@@ -98,8 +99,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
   private:
     class ServedClient;
 
-    /// Answers this client's requests for the latest scan if that has been made by now, else sees
-    /// to it that it is made.
+    /// Answers its requests for the latest scan, or sees to it that this is made.
     void serve_latest(ServedClient& client);
     /// Clients may be waiting for what has just happened. One of them may know already.
     void tell_clients(const ServedClient* knows = nullptr);
@@ -107,8 +107,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// As others see it: a light that turns with its mirror, and shines where it measures.
     [[nodiscard]] std::optional<LampBeam> shines(sim::Time time) const override;
 
-    /// Lets the mirror turn as the device's state says. To be called after whatever may have
-    /// changed that.
+    /// Lets the mirror turn as the state says. To be called after whatever may have changed that.
     void follow_motor();
     /// Lets it turn as it did when the scan of this revolution was recorded.
     void turn_as_recorded(std::int64_t revolution);
@@ -133,6 +132,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     bool cold_start_;         ///< it was switched on when it was made; else long ago
 
     protocol::DeviceState state_;
+    std::int64_t latest_turn_ = -1;
     int boots_told_ = 0;  ///< how many boots all clients know of
     DeviceLog told_;
     int bit_rate_told_;                   ///< which rate of the serial line all clients know of

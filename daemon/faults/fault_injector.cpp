@@ -106,8 +106,9 @@ void FaultInjector::each_acting(Act act) {
 FaultMoment FaultInjector::moment() const {
     const Device& device = site_.device();
     const sim::Time now = clock_.now();
-    const bool told = device.wanted() && device.leaves(served_) + longest_lag > now;
-    return {.scan = served_ >= 0 && told ? served_ : device.next_revolution() - 1,
+    const std::int64_t latest = device.latest_turn();
+    const bool told = latest >= 0 && device.wanted() && device.leaves(latest) + longest_lag > now;
+    return {.scan = told ? latest : device.next_revolution() - 1,
             .time = now,
             .origin = clock_.origin()};
 }
@@ -153,7 +154,6 @@ std::vector<protocol::Send> FaultInjector::leave(const protocol::Session& from,
 }
 
 void FaultInjector::turn(std::int64_t revolution) {
-    served_ = revolution;
     look_at({.scan = revolution,
              .serving = true,
              .time = site_.device().leaves(revolution),

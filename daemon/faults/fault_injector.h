@@ -87,7 +87,6 @@ class FaultInjector : private DeviceHook, private LineHook {
     std::vector<std::unique_ptr<FaultRun>> runs_;
     std::uint64_t last_id_ = 0;
     bool hooked_ = false;
-    std::int64_t served_ = -1;   ///< the latest revolution whose turn was told
     std::uint64_t replies_ = 0;  ///< that left sessions, and ports, since the first fault
     std::uint64_t replies_sent_ = 0;
     FaultedDevice condition_;

@@ -30,6 +30,10 @@ struct Sureness {
     Evidence rate = Evidence::deduced;
     Evidence links = Evidence::deduced;
     Evidence commands = Evidence::deduced;
+    Evidence codes = Evidence::deduced;  ///< what stands in place of a distance
+    Evidence turn = Evidence::deduced;   ///< how long one really takes
+    Evidence pace = Evidence::deduced;   ///< when replies and scans leave
+    Evidence boot = Evidence::assumed;   ///< how long it takes, and waking up
     Evidence noise = Evidence::assumed;
     Evidence bias = Evidence::assumed;   ///< and drift
     Evidence light = Evidence::deduced;  ///< spot, wavelength, how dark a target it sees

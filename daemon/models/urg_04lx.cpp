@@ -90,6 +90,9 @@ Model urg_04lx_3_1_04() {
                           .rate = Evidence::seen,
                           .links = Evidence::documented,
                           .commands = Evidence::documented,
+                          .codes = Evidence::measured,
+                          .turn = Evidence::seen,
+                          .pace = Evidence::seen,
                           .noise = Evidence::measured,
                       });
 }
@@ -112,6 +115,7 @@ Model urg_04lx_3_3_00() {
                           .rate = Evidence::seen,
                           .links = Evidence::documented,
                           .commands = Evidence::documented,
+                          .codes = Evidence::measured,
                           .noise = Evidence::measured,
                       });
 }

@@ -78,6 +78,9 @@ Model ust_10lx() {
                           .rate = Evidence::seen,
                           .links = Evidence::seen,
                           .commands = Evidence::documented,
+                          .codes = Evidence::documented,
+                          .turn = Evidence::documented,
+                          .boot = Evidence::documented,
                           .noise = Evidence::measured,
                           .light = Evidence::documented,
                       });

@@ -19,7 +19,8 @@ Model ust_30lc(const std::string& firmware) {
     // Firmware 4.0.0 to 4.0.2 looks for commands on a tick of 1 ms. TM1 and scans wait for a tick
     // of 5 ms (urg_stamped).
     using namespace std::chrono_literals;
-    if (firmware.starts_with("4.0.2")) {
+    const bool ticks = firmware.starts_with("4.0.2");
+    if (ticks) {
         profile.reply_tick = 1ms;
         profile.reply_delay = 0ms;
         profile.time_tick = profile.scan_tick = 5ms;
@@ -37,6 +38,8 @@ Model ust_30lc(const std::string& firmware) {
                           .rate = Evidence::documented,
                           .links = Evidence::documented,
                           .commands = Evidence::documented,
+                          .turn = Evidence::documented,
+                          .pace = ticks ? Evidence::documented : Evidence::deduced,
                       });
 }
 

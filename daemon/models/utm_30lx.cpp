@@ -64,6 +64,9 @@ Model utm_30lx() {
                           .rate = Evidence::seen,
                           .links = Evidence::seen,
                           .commands = Evidence::documented,
+                          .codes = Evidence::documented,
+                          .turn = Evidence::seen,
+                          .pace = Evidence::seen,
                           .noise = Evidence::measured,
                       });
 }

@@ -72,6 +72,8 @@ Model utm_30lx_ew() {
                           .rate = Evidence::documented,
                           .links = Evidence::documented,
                           .commands = Evidence::documented,
+                          .turn = Evidence::documented,
+                          .pace = Evidence::documented,
                       });
 }
 

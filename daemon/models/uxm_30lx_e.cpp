@@ -34,6 +34,8 @@ Model uxm_30lx_e() {
                           .rate = Evidence::seen,
                           .links = Evidence::seen,
                           .commands = Evidence::documented,
+                          .turn = Evidence::seen,
+                          .pace = Evidence::seen,
                           .noise = Evidence::measured,
                       });
 }

@@ -114,12 +114,15 @@ std::string notice(const std::string& name, const Model& model, const sim::Frame
 /// Mounts the sensors of all robots, one after the other.
 class Mounting {
   public:
-    Mounting(Config& config, const sim::Scene& scene) : config_(config), scene_(scene) {}
+    Mounting(Config& config, const sim::Scene& scene, const KnownSensors& mounted)
+        : config_(config), scene_(scene), mounted_(mounted) {}
 
     std::vector<std::string> run() {
         for (RobotConfig& robot : config_.robots) {
             for (SensorConfig& sensor : robot.sensors) {
-                if (sensor.mount) mount(robot, sensor);
+                const std::string name = sensor_name(robot.name, sensor.name);
+                const bool sits = find_known(mounted_, name, sensor) != nullptr;
+                if (sensor.mount && !sits) mount(robot, sensor);
             }
         }
         if (!faults_.empty()) throw sim::LoadError(std::move(faults_));
@@ -180,6 +183,7 @@ class Mounting {
 
     Config& config_;
     const sim::Scene& scene_;
+    const KnownSensors& mounted_;
     std::map<std::string, std::string> model_of_;  ///< by robot
     std::vector<std::string> faults_;
     std::vector<std::string> notices_;
@@ -187,8 +191,9 @@ class Mounting {
 
 }  // namespace
 
-std::vector<std::string> mount_by_name(Config& config, const sim::Scene& scene) {
-    return Mounting{config, scene}.run();
+std::vector<std::string> mount_by_name(Config& config, const sim::Scene& scene,
+                                       const KnownSensors& mounted) {
+    return Mounting{config, scene, mounted}.run();
 }
 
 std::optional<sim::Pose> mounted_again(const NamedMount& mount, const sim::Scene& scene) {

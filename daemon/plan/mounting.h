@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "daemon/config/config.h"
+#include "daemon/plan/known_sensors.h"
 #include "sim/world/scene.h"
 
 namespace scipd::daemon {
@@ -18,8 +19,9 @@ namespace scipd::daemon {
 /// becomes the robot's body, if the model can move and the configuration names no body. The robot
 /// starts where the model stands, if the configuration gives no pose. Returns notes for people:
 /// which product comes closest to the lidar that is there. Throws LoadError with every name that is
-/// not there or is not one place.
-std::vector<std::string> mount_by_name(Config& config, const sim::Scene& scene);
+/// not there or is not one place. Sensors that are `mounted` stay where they are.
+std::vector<std::string> mount_by_name(Config& config, const sim::Scene& scene,
+                                       const KnownSensors& mounted = {});
 
 /// The pose of a mount that was found in another world before; nothing: this world has no such
 /// place.

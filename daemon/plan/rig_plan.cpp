@@ -11,6 +11,7 @@
 #include "daemon/plan/load_scenario.h"
 #include "daemon/plan/load_world.h"
 #include "daemon/plan/mounting.h"
+#include "daemon/plan/shared_serials.h"
 #include "daemon/plan/unlikely_places.h"
 #include "daemon/plan/unseen_media.h"
 #include "daemon/world/backend_maker.h"
@@ -108,20 +109,28 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
 
 RigPlan make_plan(Config config, const Running& running, const std::stop_token& stop,
                   const JoinWorld& join) {
-    std::optional<Scenario> scenario = load_scenario(config);
+    const bool goes_on = running.world.has_value();
+    std::optional<Scenario> scenario = goes_on ? std::nullopt : load_scenario(config);
     LoadedTrajectories trajectories = load_trajectories(config, running.played, stop);
     Tapes tapes = load_tapes(config, stop);
-    LoadedMaterials materials = load_materials(config);
-    sim::LoadedScene loaded = load_world(config, materials.library, stop);
+    LoadedMaterials materials =
+        goes_on ? LoadedMaterials{running.world->materials, {}} : load_materials(config);
+    sim::LoadedScene loaded = goes_on ? sim::LoadedScene{running.world->scene, {}}
+                                      : load_world(config, materials.library, stop);
     Shared shared;
     if (join) shared = share(config, materials.library, stop, join(*loaded.scene), loaded);
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
-    std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
+    std::vector<std::string> notices =
+        mount_by_name(config, *loaded.scene, goes_on ? running.sensors : KnownSensors{});
     std::ranges::move(warnings_of(config, *loaded.scene), std::back_inserter(loaded.warnings));
     // A sensor that is mounted by name is unknown before it has its place.
+    std::ranges::move(serial_notices(config, running.sensors), std::back_inserter(notices));
     Homes homes = find_homes(config, running.homes, running.sensors);
-    std::ranges::move(media_notices(config), std::back_inserter(notices));
-    std::ranges::move(material_notices(config, *loaded.scene), std::back_inserter(notices));
+    if (!goes_on) {
+        std::ranges::move(media_notices(config), std::back_inserter(notices));
+        std::ranges::move(material_notices(config, *loaded.scene, *materials.library),
+                          std::back_inserter(notices));
+    }
     std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
@@ -138,7 +147,8 @@ RigPlan make_plan(Config config, const Running& running, const std::stop_token& 
         if (auto notice = blind_spot(request, *loaded.scene, backends))
             notices.push_back(*std::move(notice));
     }
-    return {.config = std::move(config),
+    return {.world_goes_on = goes_on,
+            .config = std::move(config),
             .homes = std::move(homes),
             .loaded = std::move(loaded),
             .backends = std::move(backends),

@@ -26,14 +26,25 @@
 
 namespace scipd::daemon {
 
+/// A world that goes on as people have made it, whatever its file says.
+struct KeptWorld {
+    sim::SharedScene scene;
+    sim::SharedMaterials materials;
+};
+
 /// What runs by now: it need not be found out or read again.
 struct Running {
     KnownSensors sensors;
     Homes homes;
     PlayedSources played;
+    /// Nothing: the world is loaded anew, and begins as the configuration says.
+    std::optional<KeptWorld> world = {};
 };
 
 struct RigPlan {
+    /// The world goes on, and so does what was changed while it ran: media, how scanners read, the
+    /// scenario. Only sensors and robots come and go.
+    bool world_goes_on = false;
     Config config;
     Homes homes;
     sim::LoadedScene loaded;

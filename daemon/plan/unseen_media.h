@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "daemon/config/config.h"
+#include "sim/world/material_library.h"
 #include "sim/world/scene.h"
 
 namespace scipd::daemon {
@@ -21,6 +22,8 @@ inline constexpr std::string_view unseen_media =
 std::vector<std::string> media_notices(const Config& config);
 
 /// That sentence about materials, if the configuration or the world has any that no scanner sees.
-std::vector<std::string> material_notices(const Config& config, const sim::Scene& scene);
+/// Of the names in a world those count that the library knows and that are no script of Gazebo.
+std::vector<std::string> material_notices(const Config& config, const sim::Scene& scene,
+                                          const sim::MaterialLibrary& library);
 
 }  // namespace scipd::daemon

@@ -18,6 +18,7 @@
 #include "daemon/plan/load_trajectories.h"
 #include "daemon/plan/load_world.h"
 #include "daemon/plan/mounting.h"
+#include "daemon/plan/shared_serials.h"
 #include "daemon/plan/unlikely_places.h"
 #include "daemon/plan/unseen_media.h"
 #include "daemon/program/check_file.h"
@@ -91,9 +92,11 @@ std::string check_configuration(const std::filesystem::path& file, const Options
         check_backends(robot, faults);
         sensors += robot.sensors.size();
     }
+    std::ranges::move(serial_notices(config, {}), std::back_inserter(notices));
     std::ranges::move(media_notices(config), std::back_inserter(notices));
-    if (world.scene)
-        std::ranges::move(material_notices(config, *world.scene), std::back_inserter(notices));
+    if (world.scene && materials.library)
+        std::ranges::move(material_notices(config, *world.scene, *materials.library),
+                          std::back_inserter(notices));
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     std::string text;
     for (const auto* list :

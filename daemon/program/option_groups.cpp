@@ -85,7 +85,7 @@ void add_robot(CLI::App& app, OptionValues& said) {
 void add_replay(Group& group, SensorConfig& sensor) {
     group.add("--replay", "FILE",
               "play this recording in place of a world: MCAP, UBH, CSV, JSON lines, bags of ROS, "
-              "logs of CARMEN and Player, .npy or pcap; default: none",
+              "rows of numbers, logs of CARMEN, CoreSLAM and Player, .npy or pcap; default: none",
               [&](const auto& text) {
                   if (!sensor.replay) sensor.replay.emplace();
                   return put(parse_file(text, fs::current_path()), sensor.replay->file);

@@ -63,8 +63,8 @@ class DecodedRecording final : public sim::Recording {
     void take(RecordedItem item) {
         if (auto* const scan = std::get_if<RecordedScan>(&item.what)) {
             const std::size_t outer = outer_index(item.stream);
-            stream(outer).identity = inner_->streams()[item.stream].identity;
-            ready_.push_back({outer, std::move(*scan)});
+            stream(outer) = inner_->streams()[item.stream];  // which may be better known by now
+            ready_.push_back({outer, sim::counter_clockwise(std::move(*scan))});
             return;
         }
         // Where scans are beside the bytes, they are the same.

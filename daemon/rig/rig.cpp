@@ -60,10 +60,14 @@ std::vector<std::string> names_of_sensors(const Config& config) {
     return names;
 }
 
-void log_findings(const RigPlan& plan) {
+/// Where the world goes on, `told` has what was said of it before.
+void log_findings(const RigPlan& plan, const std::vector<std::string>& told) {
+    const auto is_new = [&](const std::string& warning) {
+        return !plan.world_goes_on || std::ranges::find(told, warning) == told.end();
+    };
     for (const auto* warnings : {&plan.loaded.warnings, &plan.trajectories.warnings}) {
         for (const std::string& warning : *warnings)
-            spdlog::warn("{}", warning);
+            if (is_new(warning)) spdlog::warn("{}", warning);
     }
     for (const std::string& notice : plan.notices)
         spdlog::info("{}", notice);
@@ -107,15 +111,15 @@ std::chrono::nanoseconds Rig::apply(RigPlan&& plan) {
 void Rig::take_up(RigPlan&& plan, Ports ports, Feeds feeds) noexcept {
     const Config& config = plan.config;
     tell_log_of(names_of_sensors(config));
-    log_findings(plan);
+    log_findings(plan, simulation_->editor.warnings());
     retire(config, ports);
     replace_world(plan);
     homes_ = std::move(plan.homes);
-    const std::vector<Station*> fresh = start(config, plan.tapes, ports);
+    const std::vector<Station*> fresh = start(plan, ports);
     (void)simulation_->remount();
     ports_ = std::move(ports);
     replace_feeds(std::move(feeds));
-    replace_scenario(std::move(plan.scenario), fresh);
+    replace_scenario(plan, fresh);
 }
 
 // A fault that ends may have its scanner answer what clients have asked: it casts once more. The
@@ -132,20 +136,25 @@ void Rig::retire(const Config& config, const Ports& ports) noexcept {
 
 void Rig::replace_world(RigPlan& plan) noexcept {
     Simulation& simulation = *simulation_;
-    const Config& config = plan.config;
-    simulation.limits->set(config.client_limits);
-    simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow,
-                               std::move(plan.added));
-    simulation.editor.set_warnings(std::move(plan.loaded.warnings));
-    simulation.world.set_materials(plan.materials);
-    simulation.world.configure_media(config.media);
+    if (!plan.world_goes_on) begin_world(plan);
+    simulation.editor.add_warnings(plan.loaded.warnings);
     simulation.worker.discard(std::make_shared<SensorBackends>(
         simulation.world.replace_scene(std::move(plan.loaded.scene), std::move(plan.backends), {},
                                        simulation.clock.now() - plan.scripts_age)));
     std::map<std::string, RobotStart> robots;
-    for (const RobotConfig& robot : config.robots)
+    for (const RobotConfig& robot : plan.config.robots)
         robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};
     simulation.world.set_robots(robots);
+}
+
+void Rig::begin_world(RigPlan& plan) noexcept {
+    Simulation& simulation = *simulation_;
+    const Config& config = plan.config;
+    simulation.limits->set(config.client_limits);
+    simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow,
+                               std::move(plan.added));
+    simulation.world.set_materials(plan.materials);
+    simulation.world.configure_media(config.media);
 }
 
 void Rig::stop() {
@@ -202,9 +211,9 @@ Rig::Feeds Rig::open_feeds(const RigPlan& plan) {
     return feeds;
 }
 
-std::vector<Station*> Rig::start(const Config& config, const Tapes& tapes,
-                                 const Ports& ports) noexcept {
+std::vector<Station*> Rig::start(const RigPlan& plan, const Ports& ports) noexcept {
     Simulation& simulation = *simulation_;
+    const Config& config = plan.config;
     Stations staying = std::exchange(simulation.stations, {});
     std::vector<Station*> fresh;
     for (const RobotConfig& robot : config.robots) {
@@ -212,19 +221,19 @@ std::vector<Station*> Rig::start(const Config& config, const Tapes& tapes,
             auto station = take_unchanged(staying, robot.name, sensor, config.seed);
             const std::string name = sensor_name(robot.name, sensor.name);
             const std::size_t home = homes_.sensors.at(name);
-            const auto tape = tapes.find(name);
+            const auto tape = plan.tapes.find(name);
             const StationContext context{.shard = simulation.shards.at(home),
                                          .stream = simulation.stream,
                                          .view = simulation.view,
                                          .wire = simulation.wire,
                                          .recordings = simulation.recordings,
                                          .lockstep = simulation.lockstep != nullptr,
-                                         .tape = tape == tapes.end() ? nullptr : tape->second};
+                                         .tape = tape == plan.tapes.end() ? nullptr : tape->second};
             SensorPorts served = ports_of(ports, robot.name, sensor);
             if (!station) {
                 station = make_station(context, robot.name, sensor, config.seed, served);
                 fresh.push_back(station.get());
-            } else {
+            } else if (!plan.world_goes_on) {
                 station->read_as(errors_of(sensor));
             }
             simulation.stations.push_back(std::move(station));
@@ -233,10 +242,10 @@ std::vector<Station*> Rig::start(const Config& config, const Tapes& tapes,
     return fresh;
 }
 
-void Rig::replace_scenario(std::optional<Scenario> scenario,
-                           const std::vector<Station*>& fresh) noexcept {
+void Rig::replace_scenario(RigPlan& plan, const std::vector<Station*>& fresh) noexcept {
     ScenarioRun& run = simulation_->scenario;
-    if (scenario == scenario_) {
+    std::optional<Scenario>& scenario = plan.scenario;
+    if (plan.world_goes_on || scenario == scenario_) {
         for (const Station* const station : fresh) {
             if (station->faults) run.join(simulation_->target_of(*station));
         }

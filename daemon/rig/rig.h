@@ -71,12 +71,12 @@ class Rig {
     /// What this configuration has not goes: first, so that its world still stands.
     void retire(const Config& config, const Ports& ports) noexcept;
     void replace_world(RigPlan& plan) noexcept;
+    /// As the configuration has it, in the place of what people have made of it.
+    void begin_world(RigPlan& plan) noexcept;
     /// Returns those that are new.
-    std::vector<Station*> start(const Config& config, const Tapes& tapes,
-                                const Ports& ports) noexcept;
+    std::vector<Station*> start(const RigPlan& plan, const Ports& ports) noexcept;
     /// One that is the same goes on, also for new scanners.
-    void replace_scenario(std::optional<Scenario> scenario,
-                          const std::vector<Station*>& fresh) noexcept;
+    void replace_scenario(RigPlan& plan, const std::vector<Station*>& fresh) noexcept;
     void replace_feeds(Feeds feeds) noexcept;
 
     boost::asio::any_io_executor executor_;

@@ -13,6 +13,7 @@
 #include "daemon/fleet/shared_world.h"
 #include "daemon/plan/unseen_media.h"
 #include "daemon/rig/report.h"
+#include "daemon/rig/sensor_editor.h"
 #include "daemon/rig/simulation.h"
 
 namespace scipd::daemon {
@@ -41,16 +42,21 @@ RigReport RigApi::report() const {
 }
 
 Config RigApi::configuration() const {
-    Config now = *config_;
+    Config now = as_it_reads(*config_, simulation_.stations);
     now.media = media();
     for (RobotConfig& robot : now.robots) {
         if (const auto there = robot_pose(robot.name)) robot.world_from_robot = there->pose;
-        for (SensorConfig& sensor : robot.sensors) {
-            if (const auto reads = errors(sensor_name(robot.name, sensor.name)))
-                daemon::set_errors(sensor, *reads);
-        }
     }
     return now;
+}
+
+void RigApi::add_sensor(AddedSensor sensor, EditDone done, std::stop_token withdrawn) {
+    sensors_->add(std::move(sensor), std::move(done), std::move(withdrawn));
+}
+
+void RigApi::remove_sensor(const std::string& robot, const std::string& sensor, EditDone done,
+                           std::stop_token withdrawn) {
+    sensors_->remove(robot, sensor, std::move(done), std::move(withdrawn));
 }
 
 std::optional<SensorRecord> RigApi::latest(const std::string& sensor) {
@@ -81,6 +87,8 @@ std::optional<ReadingErrors> RigApi::errors(const std::string& sensor) const {
 
 sim::Expected<> RigApi::set_errors(const std::string& sensor, const ReadingErrors& errors) {
     Station& station = *find_station(simulation_.stations, sensor);
+    if (station.config.replay)
+        return sim::refuse("plays a recording, which has the errors of its own scanner");
     const auto lives_elsewhere = [&](const auto& other) {
         return !other->config.staring && other->shard != station.shard;
     };

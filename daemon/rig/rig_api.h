@@ -20,6 +20,7 @@
 
 namespace scipd::daemon {
 
+class SensorEditor;
 class SharedWorld;
 struct Simulation;
 
@@ -30,13 +31,19 @@ class RigApi : public Api {
 
     /// From now on changes of the world are those of others, too; null: of this daemon alone.
     void share(SharedWorld* shared) { shared_ = shared; }
-    /// What is running from now on. It must outlive this.
-    void run_as(const Config& config) { config_ = &config; }
+    /// What is running from now on, and who has sensors come and go. They must outlive this.
+    void run_as(const Config& config, SensorEditor& sensors) {
+        config_ = &config;
+        sensors_ = &sensors;
+    }
     /// Without telling anybody who shares the world.
     void edit_here(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
 
     [[nodiscard]] RigReport report() const override;
     [[nodiscard]] Config configuration() const override;
+    void add_sensor(AddedSensor sensor, EditDone done, std::stop_token withdrawn) override;
+    void remove_sensor(const std::string& robot, const std::string& sensor, EditDone done,
+                       std::stop_token withdrawn) override;
     [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override;
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override;
     [[nodiscard]] std::optional<ReadingErrors> errors(const std::string& sensor) const override;
@@ -66,6 +73,7 @@ class RigApi : public Api {
     Simulation& simulation_;
     SharedWorld* shared_ = nullptr;
     const Config* config_ = nullptr;
+    SensorEditor* sensors_ = nullptr;
     RigFaults faults_;
     SceneGallery gallery_;
     const std::string run_;  ///< of this daemon, which another one has not

@@ -25,7 +25,7 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
       stream(limits, ways()),
       view(ways(), wall_clock, limits),
       wire(ways()),
-      recordings(ways(), [this](Worker::Begin begin) { worker.add(std::move(begin)); }),
+      recordings(ways(), clock, [this](Worker::Begin begin) { worker.add(std::move(begin)); }),
       worker(executor),
       drawer(executor, false) {
     stream.on_fault([this](const std::string& event) { view.tell_fault(event); });

@@ -125,6 +125,18 @@ Station* find_station(const Stations& stations, const std::string& sensor) {
     return found == stations.end() ? nullptr : found->get();
 }
 
+Config as_it_reads(Config config, const Stations& stations) {
+    for (RobotConfig& robot : config.robots) {
+        for (SensorConfig& sensor : robot.sensors) {
+            const auto* const station =
+                find_station(stations, sensor_name(robot.name, sensor.name));
+            if (station != nullptr && !station->config.staring)
+                set_errors(sensor, errors_of(station->config));
+        }
+    }
+    return config;
+}
+
 Stations::const_iterator find_unchanged(const Stations& stations, const std::string& robot,
                                         const SensorConfig& sensor, std::uint64_t seed) {
     return std::ranges::find_if(stations, [&](const auto& station) {

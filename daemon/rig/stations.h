@@ -16,6 +16,7 @@
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/view_stream.h"
 #include "daemon/api/wire_stream.h"
+#include "daemon/config/config.h"
 #include "daemon/config/reading_errors.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_loop.h"
@@ -84,6 +85,9 @@ struct StationContext {
 
 /// By the sensor's full name; null: there is none.
 [[nodiscard]] Station* find_station(const Stations& stations, const std::string& sensor);
+
+/// The configuration with how its scanners read by now, where that was changed while they ran.
+[[nodiscard]] Config as_it_reads(Config config, const Stations& stations);
 
 /// The station of the same robot and seed whose sensor is configured like this; end(): there is
 /// none.

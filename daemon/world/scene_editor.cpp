@@ -86,6 +86,12 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
     worker_.add(std::move(begin), std::move(withdrawn));
 }
 
+void SceneEditor::add_warnings(const std::vector<std::string>& warnings) {
+    std::ranges::copy_if(warnings, std::back_inserter(warnings_), [&](const std::string& warning) {
+        return std::ranges::find(warnings_, warning) == warnings_.end();
+    });
+}
+
 void SceneEditor::take_up(Next& next) {
     loads_ += next.whole ? 1 : 0;
     file_ = next.file;

@@ -46,6 +46,7 @@ class SceneEditor {
                   std::vector<std::filesystem::path> allow, AddedTriangles added = {}) {
         ++loads_;
         added_ = std::move(added);
+        warnings_.clear();
         file_ = std::move(file);
         options_ = std::move(options);
         allow_ = std::move(allow);
@@ -53,8 +54,9 @@ class SceneEditor {
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     /// How many worlds have been loaded, the same one again or another.
     [[nodiscard]] std::uint64_t loads() const { return loads_; }
+    /// There is this to know, too, about the world or what is in it; nothing is told twice.
+    void add_warnings(const std::vector<std::string>& warnings);
     /// What there is to know about the world, and about what edits have added to it.
-    void set_warnings(std::vector<std::string> warnings) { warnings_ = std::move(warnings); }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
     /// Takes effect after all edits that were asked for before. `done` is called when the edit is

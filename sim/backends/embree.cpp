@@ -30,6 +30,111 @@ struct View {
     glm::vec3 origin_m;
 };
 
+/// Aims the rays of a fan in its order, packet after packet. In its loops the compiler takes many
+/// rays at once: one by one, those of a scanner that moves took twice the time. What all packets
+/// share is written once, since tracing leaves it alone.
+class Aim {
+  public:
+    /// `packet` is the one that is filled, and outlives it.
+    Aim(const Fan& fan, const glm::dvec3& anchor_m, RTCRayHit16& packet);
+
+    /// `first` is where the call before ended.
+    void fill(std::size_t first, std::size_t count);
+
+  private:
+    void point_from_one_pose(std::size_t first, std::size_t count);
+    void point_from_few_poses(std::size_t first, std::size_t count);
+    void point_from_own_poses(std::size_t first, std::size_t count);
+    void place(std::size_t k, const glm::vec3& origin_m) {
+        ray_.org_x[k] = origin_m.x;
+        ray_.org_y[k] = origin_m.y;
+        ray_.org_z[k] = origin_m.z;
+    }
+    void direct(std::size_t k, const glm::vec3& direction) {
+        ray_.dir_x[k] = direction.x;
+        ray_.dir_y[k] = direction.y;
+        ray_.dir_z[k] = direction.z;
+    }
+
+    const Fan& fan_;
+    const glm::dvec3& anchor_m_;
+    RTCRayHit16& packet_;
+    RTCRay16& ray_;
+    View view_;
+    std::size_t pose_ = 0;  ///< of view_
+};
+
+Aim::Aim(const Fan& fan, const glm::dvec3& anchor_m, RTCRayHit16& packet)
+    : fan_(fan),
+      anchor_m_(anchor_m),
+      packet_(packet),
+      ray_(packet.ray),
+      view_(fan.world_from_sensor.front(), anchor_m) {
+    // A face that the sensor lies in, the ground of a robot's frame, say, is met at no distance by
+    // all rays along it.
+    constexpr float touching_m = 1e-4F;
+    std::ranges::fill(ray_.tnear, touching_m);
+    std::ranges::fill(ray_.mask, ~0U);
+    for (std::size_t k = 0; k < packet_size; ++k)
+        place(k, view_.origin_m);
+}
+
+void Aim::point_from_one_pose(std::size_t first, std::size_t count) {
+    const glm::mat3 anchored_from_sensor = view_.anchored_from_sensor;
+    for (std::size_t k = 0; k < count; ++k)
+        direct(k, anchored_from_sensor * fan_.directions[first + k]);
+}
+
+/// A pose is made ready once for all rays that it has.
+void Aim::point_from_few_poses(std::size_t first, std::size_t count) {
+    std::size_t end = (pose_ + 1) * fan_.directions_per_pose;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (first + k == end) {
+            view_ = View{fan_.world_from_sensor[++pose_], anchor_m_};
+            end += fan_.directions_per_pose;
+        }
+        place(k, view_.origin_m);
+        direct(k, view_.anchored_from_sensor * fan_.directions[first + k]);
+    }
+}
+
+void Aim::point_from_own_poses(std::size_t first, std::size_t count) {
+    float x[packet_size];
+    float y[packet_size];
+    float z[packet_size];
+    float w[packet_size];
+    for (std::size_t k = 0; k < count; ++k) {
+        const Pose& pose = fan_.world_from_sensor[first + k];
+        const glm::quat rotation(pose.rotation);
+        place(k, glm::vec3(pose.translation_m - anchor_m_));
+        x[k] = rotation.x;
+        y[k] = rotation.y;
+        z[k] = rotation.z;
+        w[k] = rotation.w;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        const glm::mat3 anchored_from_sensor = glm::mat3_cast(glm::quat(w[k], x[k], y[k], z[k]));
+        direct(k, anchored_from_sensor * fan_.directions[first + k]);
+    }
+}
+
+void Aim::fill(std::size_t first, std::size_t count) {
+    if (fan_.world_from_sensor.size() == 1)
+        point_from_one_pose(first, count);
+    else if (fan_.directions_per_pose == 1)
+        point_from_own_poses(first, count);
+    else
+        point_from_few_poses(first, count);
+    for (auto* const components : {&ray_.dir_x, &ray_.dir_y, &ray_.dir_z})
+        std::ranges::transform(*components, *components, component_apart_from_zero);
+    // Embree also goes as far as lanes reach that are not valid: one ray costs half where they end
+    // at once.
+    std::ranges::fill(ray_.tfar, 0.0F);
+    std::fill_n(ray_.tfar, count, fan_.max_range_m);
+    std::ranges::fill(packet_.hit.geomID, RTC_INVALID_GEOMETRY_ID);
+    std::ranges::fill(packet_.hit.instID[0], RTC_INVALID_GEOMETRY_ID);
+}
+
 /// The first `count` lanes of a packet.
 struct Lanes {
     explicit Lanes(std::size_t count) { std::fill_n(valid, count, -1); }
@@ -52,7 +157,6 @@ class EmbreeBackend final : public RangeBackend {
     template <class Read>
     void trace(const Fan& fan, Read read);
 
-    void aim(const Fan& fan, std::size_t first, std::size_t count, RTCRayHit16& packet) const;
     void read(const RTCRayHit16& packet, std::span<Hit> hits) const;
     /// Leaves hits as they are in front of which nothing was met.
     void read_met(const RTCRayHit16& packet, std::span<Hit> hits) const;
@@ -96,16 +200,17 @@ void EmbreeBackend::do_cast_with_normals(const Fan& fan, std::span<Hit> hits,
 
 template <class Read>
 void EmbreeBackend::trace(const Fan& fan, Read read) {
+    if (fan.directions.empty()) return;
     const DenormalsAsZero while_casting;
     movables_.show(fan.can_meet.value_or(movables_.all()));
     CoherentTracer tracer{fan.unseen};
     RTCRayHit16 packet{};
-    std::ranges::fill(packet.ray.mask, ~0U);
+    Aim aim(fan, scene().anchor_m, packet);
     const std::size_t rays = fan.directions.size();
     for (std::size_t first = 0; first < rays; first += packet_size) {
         const std::size_t count = std::min(packet_size, rays - first);
         const Lanes lanes(count);
-        aim(fan, first, count, packet);
+        aim.fill(first, count);
         tracer.trace(lanes.valid, still_->scene.get(), packet);
         movables_.trace(tracer, lanes.valid, packet);
         read(packet, first, count);
@@ -115,15 +220,16 @@ void EmbreeBackend::trace(const Fan& fan, Read read) {
 // The fans of a sweep meet few models, and one that moves several times, each time elsewhere. To
 // commit a scene with them takes longer than to trace one after the other.
 void EmbreeBackend::do_cast_moving(const Fan& fan, std::span<Hit> hits) {
+    if (fan.directions.empty()) return;
     const DenormalsAsZero while_casting;
     CoherentTracer tracer{no_model};
     RTCRayHit16 packet{};
-    std::ranges::fill(packet.ray.mask, ~0U);
+    Aim aim(fan, scene().anchor_m, packet);
     for (std::size_t first = 0; first < hits.size(); first += packet_size) {
         const std::size_t count = std::min(packet_size, hits.size() - first);
         const std::span<Hit> so_far = hits.subspan(first, count);
         const Lanes lanes(count);
-        aim(fan, first, count, packet);
+        aim.fill(first, count);
         for (std::size_t k = 0; k < count; ++k)
             packet.ray.tfar[k] = std::min(packet.ray.tfar[k], so_far[k].range_m);
         for (const ModelId model : *fan.can_meet) {
@@ -131,38 +237,6 @@ void EmbreeBackend::do_cast_moving(const Fan& fan, std::span<Hit> hits) {
         }
         read_met(packet, so_far);
     }
-}
-
-void EmbreeBackend::aim(const Fan& fan, std::size_t first, std::size_t count,
-                        RTCRayHit16& packet) const {
-    std::size_t pose = fan.pose_index(first);
-    View view{fan.world_from_sensor[pose], scene().anchor_m};
-    const bool one_pose = fan.world_from_sensor.size() == 1;
-    std::size_t next = one_pose ? fan.directions.size() : (pose + 1) * fan.directions_per_pose;
-    for (std::size_t k = 0; k < count; ++k) {
-        if (first + k == next) {
-            view = View{fan.world_from_sensor[++pose], scene().anchor_m};
-            next += fan.directions_per_pose;
-        }
-        const glm::vec3 direction =
-            apart_from_zero(view.anchored_from_sensor * fan.directions[first + k]);
-        packet.ray.org_x[k] = view.origin_m.x;
-        packet.ray.org_y[k] = view.origin_m.y;
-        packet.ray.org_z[k] = view.origin_m.z;
-        packet.ray.dir_x[k] = direction.x;
-        packet.ray.dir_y[k] = direction.y;
-        packet.ray.dir_z[k] = direction.z;
-    }
-    // A face that the sensor lies in, the ground of a robot's frame, say, is met at no distance by
-    // all rays along it.
-    constexpr float touching_m = 1e-4F;
-    std::ranges::fill(packet.ray.tnear, touching_m);
-    // Embree also goes as far as lanes reach that are not valid: one ray costs half where they end
-    // at once.
-    std::ranges::fill(packet.ray.tfar, 0.0F);
-    std::fill_n(packet.ray.tfar, count, fan.max_range_m);
-    std::ranges::fill(packet.hit.geomID, RTC_INVALID_GEOMETRY_ID);
-    std::ranges::fill(packet.hit.instID[0], RTC_INVALID_GEOMETRY_ID);
 }
 
 ObjectId EmbreeBackend::met(const RTCHit16& hit, std::size_t k) const {

@@ -111,12 +111,15 @@ inline std::string reason_without_device() {
     }
 }
 
-/// The direction, to a nanoradian. Embree 3.13 loses all rays of a packet that share their
-/// signs with one whose component is 1e-17 or so, as the cosine of a right angle comes out.
-inline glm::vec3 apart_from_zero(const glm::vec3& direction) {
+/// A component of a direction, to a nanoradian. Embree 3.13 loses all rays of a packet that share
+/// their signs with one whose component is 1e-17 or so, as the cosine of a right angle comes out.
+inline float component_apart_from_zero(float component) {
     constexpr float least = 1e-9F;
-    const auto apart = [](float x) { return std::abs(x) < least ? std::copysign(least, x) : x; };
-    return {apart(direction.x), apart(direction.y), apart(direction.z)};
+    return std::abs(component) < least ? std::copysign(least, component) : component;
+}
+inline glm::vec3 apart_from_zero(const glm::vec3& direction) {
+    return {component_apart_from_zero(direction.x), component_apart_from_zero(direction.y),
+            component_apart_from_zero(direction.z)};
 }
 
 inline DeviceHandle new_device() {

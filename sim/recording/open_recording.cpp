@@ -17,6 +17,7 @@
 #include "sim/recording/text/csv.h"
 #include "sim/recording/text/json_lines.h"
 #include "sim/recording/text/player.h"
+#include "sim/recording/text/rows.h"
 #include "sim/recording/text/ubh.h"
 #include "sim/text/text_number.h"
 
@@ -59,7 +60,13 @@ std::optional<Open> reader_for(std::string_view line) {
     if (line.starts_with("[") && line.ends_with("]") && line.find('{') == line.npos)
         return open_ubh;
     if (line.starts_with("{")) return open_json_lines;
+    if (is_row_of_numbers(line) || names_ranges(line)) return open_rows;
     return std::nullopt;
+}
+
+/// Whether the next line is one of a table.
+bool goes_on_in_rows(std::string_view rest) {
+    return is_row_of_numbers(rest.substr(0, rest.find('\n')));
 }
 
 std::optional<Open> reader_for_ending(const std::filesystem::path& path) {
@@ -75,6 +82,8 @@ std::optional<Open> reader_for_text(std::string_view beginning) {
         const std::string_view line = beginning.substr(0, beginning.find('\n'));
         beginning.remove_prefix(std::min(line.size() + 1, beginning.size()));
         if (const auto reader = reader_for(trimmed(line))) return reader;
+        if (goes_on_in_rows(beginning) && !line.starts_with('#') && !trimmed(line).empty())
+            return open_rows;
         // Only comments may stand before the first line that tells.
         if (!trimmed(line).empty() && !line.starts_with('#')) return std::nullopt;
     }
@@ -104,8 +113,8 @@ Expected<std::unique_ptr<Recording>> open_recording(InputFile file) {
     if (const auto open = reader_for_ending(file.path())) return (*open)(std::move(file));
     return file.refuse(
         "begins like no recording that is read: MCAP, a bag of ROS (.bag, .db3), UBH, CSV or JSON "
-        "lines of scipcat, a log of CARMEN or Player, a NumPy array (.npy), a capture of a network "
-        "(.pcap, .pcapng)");
+        "lines of scipcat, rows of numbers, a log of CARMEN or Player, a NumPy array (.npy), a "
+        "capture of a network (.pcap, .pcapng)");
 }
 
 }  // namespace scipd::sim

@@ -36,8 +36,9 @@ struct Return {
     MaterialId material;
 };
 
-/// Some returns that are one echo; `returns` is not empty.
-Echo one_echo(std::span<const Return> returns) {
+/// Some returns that are one echo; `returns` is not empty. It fills the echo in place: one that is
+/// copied right after its members were written makes the processor wait.
+void fill_echo(std::span<const Return> returns, Echo& echo) {
     const float from_m = returns.front().range_m;
     double power = 0.0;
     double mean = 0.0;
@@ -52,26 +53,31 @@ Echo one_echo(std::span<const Return> returns) {
     }
     mean /= power;
     const double variance_m2 = std::max(0.0, square / power - mean * mean);
-    return {.range_m = static_cast<float>(from_m + mean),
-            .power = static_cast<float>(power),
-            .spread_m = static_cast<float>(std::sqrt(variance_m2)),
-            .object = strongest->object,
-            .material = strongest->material};
+    echo.range_m = static_cast<float>(from_m + mean);
+    echo.power = static_cast<float>(power);
+    echo.spread_m = static_cast<float>(std::sqrt(variance_m2));
+    echo.object = strongest->object;
+    echo.material = strongest->material;
 }
 
 /// Adds an echo for each run of returns in which none is farther than half a pulse behind the one
 /// before it. Reorders the returns.
 void add_echoes(std::vector<Return>& returns, float half_pulse_m, PerBeam<Echo>& echoes) {
     if (returns.empty()) return;
-    const auto [nearest, farthest] = std::ranges::minmax(returns, {}, &Return::range_m);
-    if (farthest.range_m - nearest.range_m <= half_pulse_m) return echoes.add(one_echo(returns));
+    float nearest_m = returns.front().range_m;
+    float farthest_m = nearest_m;
+    for (const Return& one : returns) {
+        nearest_m = std::min(nearest_m, one.range_m);
+        farthest_m = std::max(farthest_m, one.range_m);
+    }
+    if (farthest_m - nearest_m <= half_pulse_m) return fill_echo(returns, echoes.add());
     std::ranges::sort(returns, {}, &Return::range_m);
     std::size_t begin = 0;
     for (std::size_t i = 1; i <= returns.size(); ++i) {
         const bool apart =
             i == returns.size() || returns[i].range_m - returns[i - 1].range_m > half_pulse_m;
         if (!apart) continue;
-        echoes.add(one_echo(std::span(returns).subspan(begin, i - begin)));
+        fill_echo(std::span(returns).subspan(begin, i - begin), echoes.add());
         begin = i;
     }
 }
@@ -158,7 +164,7 @@ class EchoFinder {
     }
 
     void add(const Hit& hit, float power) {
-        if (power > 0.0F) returns_.push_back({hit.range_m, power, hit.object, hit.material});
+        if (power > 0.0F) returns_.emplace_back(hit.range_m, power, hit.object, hit.material);
     }
 
     [[nodiscard]] const Pose& pose_of(std::size_t beam) const {

@@ -59,22 +59,4 @@ struct ErrorModel {
     }
 };
 
-/// The signal of an echo: its light falls with the square of the range. Nearer than the receiver's
-/// level range it stays as it is there.
-[[nodiscard]] float signal_of(const Receiver& receiver, float range_m, float power);
-
-/// What a receiver reads too far of such light, whatever chance does: its walk, and what too strong
-/// a signal adds.
-[[nodiscard]] double light_error_m(const Receiver& receiver, double power, double signal);
-
-/// What the sensor that read this reads too far there, whatever chance does and however warm it is.
-[[nodiscard]] double steady_error_m(const SensorSpec& spec, const Reading& reading);
-
-/// The weakest signal that the receiver notices half the time; 0: it notices all.
-[[nodiscard]] float weakest_signal(const Receiver& receiver);
-
-/// Below and above weakest_signal() the share of echoes that are noticed goes from none to all as
-/// the normal distribution of the signal's logarithm with this deviation. Assumed.
-inline constexpr double noticing_spread = 0.05;
-
 }  // namespace scipd::sim

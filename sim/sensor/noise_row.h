@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/backends/fan.h"
@@ -43,6 +44,8 @@ class NoiseRow {
 
     /// The noise of a beam that has a return.
     [[nodiscard]] float noise_m(std::size_t beam) const { return noise_m_[beam]; }
+    /// Of all beams; without a return it is some number.
+    [[nodiscard]] std::span<const float> noise_m() const { return noise_m_; }
 
   private:
     /// So many beams on either side reach into the noise of one.

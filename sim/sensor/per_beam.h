@@ -21,6 +21,7 @@ class PerBeam {
     }
     /// One more of the beam that is not finished yet.
     void add(const Thing& thing) { things_.push_back(thing); }
+    Thing& add() { return things_.emplace_back(); }
     void finish_beam() { ends_.push_back(static_cast<std::uint32_t>(things_.size())); }
 
     /// The beams that are finished.

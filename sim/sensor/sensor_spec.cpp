@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sim/sensor/curve.h"
@@ -49,6 +50,14 @@ double SensorSpec::sigma_m(double range_m) const {
 
 double SensorSpec::bias_m(double range_m) const {
     return Curve(bias, &BiasPoint::bias_m).at(range_m);
+}
+
+double SensorSpec::accuracy_m(double range_m) const {
+    double bound_m = std::numeric_limits<double>::infinity();
+    for (const AccuracyStep& step : accuracy) {
+        if (range_m >= step.from_range_m) bound_m = step.bound_m + step.bound_share * range_m;
+    }
+    return bound_m;
 }
 
 double SensorSpec::intensity(double range_m, double power) const {

@@ -60,7 +60,7 @@ struct Receiver {
     double half_pulse_m = 0.5;
     /// Nearer than this the gain no longer rises with the light.
     double level_below_m = 0.5;
-    /// How much farther an echo reads that is ten times weaker (walk error).
+    /// How much farther an echo reads that is ten times weaker than a white face's (walk error).
     double walk_m = 0.0;
     /// A signal from which on the receiver is blinded, in those of a white face at one metre; 0:
     /// never.
@@ -109,7 +109,7 @@ struct SensorSpec {
     std::vector<BiasPoint> bias = {};
     WarmUp warm_up = {};
     double lost_share = 0.0;  ///< of the beams, at random
-    double lattice_m = 0.0;   ///< ranges are multiples of this; 0: any
+    double lattice_m = 0.0;   ///< ranges are multiples of this; below 1e-5: any
     Footprint footprint = {};
     Receiver receiver = {};
 
@@ -123,6 +123,8 @@ struct SensorSpec {
     /// The deviation that it reads a white wall with, head-on at this range.
     [[nodiscard]] double sigma_m(double range_m) const;
     [[nodiscard]] double bias_m(double range_m) const;
+    /// The accuracy of the data sheet; infinite where it tells none.
+    [[nodiscard]] double accuracy_m(double range_m) const;
     /// The intensity that is told of light of this power (Echo) from this range.
     [[nodiscard]] double intensity(double range_m, double power) const;
     /// The intensity of a dark target at dark_range_m.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "sim/random.h"
@@ -22,15 +21,6 @@ constexpr std::uint32_t walk_chance = 2 * wave_octaves.size();
 
 Chance chance_of(std::uint64_t unit) {
     return Chance({.seed = unit, .purpose = Purpose::unit});
-}
-
-/// Endless where the data sheet says nothing.
-double bound_m(const std::vector<AccuracyStep>& accuracy, double range_m) {
-    double bound_m = std::numeric_limits<double>::infinity();
-    for (const AccuracyStep& step : accuracy) {
-        if (range_m >= step.from_range_m) bound_m = step.bound_m + step.bound_share * range_m;
-    }
-    return bound_m;
 }
 
 /// As before for small values, and never beyond the bound.
@@ -58,8 +48,7 @@ std::vector<BiasPoint> unit_bias(const SensorSpec& spec, std::uint64_t unit) {
     for (int i = 0; i <= std::ceil(most_octaves * points_per_octave); ++i) {
         const double octaves = static_cast<double>(i) / points_per_octave;
         const double range_m = nearest_m * std::exp2(octaves);
-        curve.push_back(
-            {range_m, held_within(bound_m(spec.accuracy, range_m), wave_m(chance, octaves))});
+        curve.push_back({range_m, held_within(spec.accuracy_m(range_m), wave_m(chance, octaves))});
     }
     return curve;
 }

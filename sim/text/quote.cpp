@@ -31,6 +31,17 @@ std::optional<Character> first_of(std::string_view text) {
     return Character{code, bytes};
 }
 
+/// take(bytes, code) of each character; without a code of each byte that begins none.
+template <class Take>
+void each_character(std::string_view text, Take take) {
+    while (!text.empty()) {
+        const auto character = first_of(text);
+        const std::string_view bytes = text.substr(0, character ? character->bytes : 1);
+        take(bytes, character ? std::optional(character->code) : std::nullopt);
+        text.remove_prefix(bytes.size());
+    }
+}
+
 /// Control characters except tab and line feed, and characters that end lines, change the reading
 /// direction or are invisible.
 bool does_harm(char32_t code) {
@@ -65,12 +76,13 @@ void append_escaped(std::string& text, std::string_view bytes) {
 }  // namespace
 
 std::string printable(std::string_view text, std::size_t limit) {
-    const bool whole = text.size() <= limit;
-    std::string out{text.substr(0, limit)};
-    for (char& c : out) {
-        if (c < ' ' || c > '~') c = '?';
-    }
-    return whole ? out : out + "...";
+    const std::size_t whole = whole_characters(text, limit);
+    std::string out;
+    each_character(text.substr(0, whole), [&](std::string_view bytes, auto code) {
+        const bool stays = code && *code >= ' ' && !does_harm(*code);
+        out += stays ? std::string{bytes} : std::string(bytes.size(), '?');
+    });
+    return whole == text.size() ? out : out + "...";
 }
 
 std::string quote(std::string_view text, std::size_t limit) {
@@ -83,16 +95,13 @@ std::string quote(std::string_view text, std::size_t limit) {
 std::string shown(std::string_view text) {
     std::string out;
     out.reserve(text.size());
-    while (!text.empty()) {
-        const auto character = first_of(text);
-        const std::string_view bytes = text.substr(0, character ? character->bytes : 1);
-        if (character && !does_harm(character->code)) {
+    each_character(text, [&](std::string_view bytes, auto code) {
+        if (code && !does_harm(*code)) {
             out += bytes;
         } else {
             append_escaped(out, bytes);
         }
-        text.remove_prefix(bytes.size());
-    }
+    });
     return out;
 }
 

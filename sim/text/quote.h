@@ -11,8 +11,8 @@
 
 namespace scipd::sim {
 
-/// Printable ASCII stays, every other byte becomes a question mark. A text of more than `limit`
-/// bytes is cut there, and dots follow.
+/// Written characters stay, every other byte becomes a question mark. A text of more than `limit`
+/// bytes is cut before the character that is too much, and dots follow.
 std::string printable(std::string_view text, std::size_t limit = 160);
 
 /// As printable(), between single quotes, with a smaller limit by default.

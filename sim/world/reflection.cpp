@@ -50,13 +50,6 @@ Reflection::Reflection(const Surface& surface)
     table_[intervals + 1] = table_[intervals];
 }
 
-float Reflection::returned(float cos_incidence) const {
-    const float x = std::sqrt(std::max(0.0F, 1.0F - cos_incidence)) * float(intervals);
-    const auto before = static_cast<std::size_t>(std::min(x, float(intervals)));
-    const float share = x - float(before);
-    return table_[before] + share * (table_[before + 1] - table_[before]);
-}
-
 float Reflection::highlight(float cos_incidence, double blur_rad2) const {
     if (!smooth_) return 0.0F;
     const double gloss = highlight_gloss(surface_.gloss, blur_rad2);

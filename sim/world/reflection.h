@@ -6,7 +6,9 @@
 // looked up for every ray. Values; any thread.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "sim/world/surface.h"
@@ -25,7 +27,12 @@ class Reflection {
     /// Relative to a white Lambertian face that is met head-on: the cosine of the incidence for a
     /// white matt face, hundreds for a reflector. Between the table's entries it is linear. Without
     /// the highlight of a smooth face.
-    [[nodiscard]] float returned(float cos_incidence) const;
+    [[nodiscard]] float returned(float cos_incidence) const {
+        const float x = std::sqrt(std::max(0.0F, 1.0F - cos_incidence)) * float(intervals);
+        const auto before = static_cast<std::size_t>(std::min(x, float(intervals)));
+        const float share = x - float(before);
+        return table_[before] + share * (table_[before + 1] - table_[before]);
+    }
     /// What a smooth face throws back as a mirror does, if the light and the lens that it comes
     /// back to blur it by this much: see highlight_gloss().
     [[nodiscard]] float highlight(float cos_incidence, double blur_rad2) const;

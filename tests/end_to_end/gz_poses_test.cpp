@@ -13,6 +13,7 @@
 #include "tests/daemon/bridges/gz_bytes.h"
 #include "tests/daemon/bridges/gz_publisher.h"
 #include "tests/end_to_end/in_square_room.h"
+#include "tests/support/child.h"
 
 namespace scipd::tests {
 namespace {
@@ -65,6 +66,36 @@ TEST_F(GzPoses, MoveRobotAndModelsOfTheWorldThatIsLoaded) {
     EXPECT_TRUE(source.at("troubles").empty()) << source;
     EXPECT_EQ(daemon.get("/status").at("poses").at("refused"), 0);
 }
+
+#ifdef GZ_TOPIC
+/// One message of a type that Gazebo's own program knows, from its text.
+void publish(const std::string& text) {
+    const std::string program = GZ_TOPIC;
+    const bool is_ignition = program.find("ign-") != std::string::npos;
+    const Outcome ended =
+        run({program, "-t", topic, "-m", is_ignition ? "ignition.msgs.Pose_V" : "gz.msgs.Pose_V",
+             "-p", text});
+    EXPECT_EQ(ended.exit_code, 0) << ended.out << ended.err;
+}
+
+TEST_F(GzPoses, ComeFromGazebosOwnCommandLine) {
+    const DaemonProcess daemon(directory_, on_tcp({"--accuracy", "ideal", "--poses", "gz:"}));
+    int sec = 100;
+    // It says nothing of whom it has reached.
+    EXPECT_TRUE(eventually([&] {
+        publish("header {stamp {sec: " + std::to_string(sec++) + R"(}}
+            pose {name: "robot" id: 20 position {x: 1} orientation {z: 1}}
+            pose {name: "box" id: 30 position {x: -1.5 y: 1} orientation {w: 1}})");
+        return x_of(daemon, "/robots/robot/pose") == 1.0;
+    }));
+    EXPECT_TRUE(eventually([&] { return x_of(daemon, "/scene/models/box/pose") == -1.5; }));
+    // It has turned to the wall behind it.
+    ScannerWire wire = ScannerWire::tcp(daemon.port());
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    EXPECT_EQ(wire.next_scan().distances_mm.front(), 4000U);
+    EXPECT_EQ(daemon.get("/status").at("poses").at("refused"), 0);
+}
+#endif
 
 TEST_F(GzPoses, TellWhichNamesAreNotThere) {
     GzPublisher publisher(topic, "ignition.msgs.Pose_V");

@@ -2,11 +2,13 @@
 // Copyright The scipd authors
 //
 // The world that shows what materials do, as its users run it. Its first comment has the ranges.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/child.h"
+#include "tests/support/control_request.h"
 #include "tests/support/daemon_process.h"
 #include "tests/support/scanner_wire.h"
 
@@ -119,6 +122,47 @@ TEST_F(MaterialsDemo, DependsOnWhatThePanelsAreMadeOf) {
     }
 }
 
+/// What the middle of the beam met, or of the echoes that came back the nearest to what was sent.
+double seen_mm(const nlohmann::json& truth, std::size_t step, bool by_middle) {
+    const double sent_mm = truth["sent_mm"][step];
+    std::vector<double> echoes_mm;
+    if (!by_middle) {
+        for (const nlohmann::json& echo : truth["echoes"][step])
+            echoes_mm.push_back(1e3 * echo["range_m"].get<double>());
+    }
+    if (echoes_mm.empty()) return 1e3 * truth["true_m"][step].get<double>();
+    return *std::ranges::min_element(echoes_mm, {},
+                                     [&](double range_mm) { return std::abs(range_mm - sent_mm); });
+}
+
+/// How much too far each step reads that reads anything.
+std::vector<double> errors_mm(const nlohmann::json& truth, bool by_middle) {
+    std::vector<double> errors;
+    for (std::size_t step = 0; step < truth["steps"].size(); ++step) {
+        const double sent_mm = truth["sent_mm"][step];
+        if (sent_mm >= 23.0) errors.push_back(sent_mm - seen_mm(truth, step, by_middle));
+    }
+    return errors;
+}
+
+/// As many points are too far as the truth has behind the end of the scale, but not the walls that
+/// are seen rightly through glass.
+void expect_colours_of_what_returned(const std::string& file, const nlohmann::json& truth) {
+    std::ifstream stream{file};
+    const std::string svg{std::istreambuf_iterator<char>{stream}, {}};
+    std::smatch most;
+    ASSERT_TRUE(std::regex_search(svg, most, std::regex(R"(>\+(\d+)<)")));
+    const double most_mm = std::stod(most[1]);
+    const auto beyond = [&](const std::vector<double>& errors) {
+        return std::ranges::count_if(errors, [&](double error) { return error >= most_mm; });
+    };
+    const std::regex red(R"(rgb\(69\.8%,9\.4%,16\.9%\))");
+    const auto points = std::distance(std::sregex_iterator(svg.begin(), svg.end(), red), {});
+    const auto wanted = beyond(errors_mm(truth, false));
+    EXPECT_NEAR(static_cast<double>(points), static_cast<double>(wanted), 2.0);
+    EXPECT_GT(beyond(errors_mm(truth, true)), wanted + 20);
+}
+
 TEST_F(MaterialsDemo, IsDrawnInTheColoursOfItsTruth) {
     const DaemonProcess daemon(directory_, {"--config", config("material")});
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
@@ -134,6 +178,10 @@ TEST_F(MaterialsDemo, IsDrawnInTheColoursOfItsTruth) {
     const Outcome errors = plot({"--color", "error", "--truth", "robot/multi"});
     EXPECT_EQ(errors.exit_code, 0) << errors.err;
     EXPECT_THAT(errors.out, HasSubstr("sent - true, mm: -"));
+    const std::string drawn = directory_.path() / "errors.svg";
+    ASSERT_EQ(plot({"--color", "error", "-o", drawn}).exit_code, 0);
+    expect_colours_of_what_returned(drawn,
+                                    control_get(daemon.control(), "/sensors/robot/multi/truth"));
     const Outcome other = plot({"--color", "error", "--truth", "robot/single"});
     EXPECT_EQ(other.exit_code, 1);
     EXPECT_THAT(other.err, HasSubstr("there is no scan yet"));

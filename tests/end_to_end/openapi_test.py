@@ -73,6 +73,15 @@ EXCHANGES = [
     ("PATCH", "/sensors/{robot}/{sensor}", "/sensors/robot/multi", {"accuracy": "best"}, 400),
     ("PATCH", "/sensors/{robot}/{sensor}", "/sensors/robot/other", {"noise": 2}, 404),
     ("PATCH", "/sensors/{robot}/{sensor}", "/sensors/robot/tof", {"noise": 2}, 409),
+    ("PATCH", "/sensors/{robot}/{sensor}", "/sensors/robot/played", {"noise": 2}, 409),
+    ("GET", "/sensors/models", "/sensors/models", None, 200),
+    ("POST", "/sensors", "/sensors", {"name": "other/rear", "model": "URG-04LX", "pty": "auto",
+                                      "pose": {"xyz": [1, 0, 0]}, "mount": {"rpy": [0, 0, 3]}}, 201),
+    ("POST", "/sensors", "/sensors", {"name": "robot/rear", "model": "URG-05LX", "pty": "auto"}, 400),
+    ("POST", "/sensors", "/sensors", {"name": "robot/rear", "model": "URG-04LX", "pty": "/tmp/tty"}, 403),
+    ("POST", "/sensors", "/sensors", {"name": "robot/multi", "model": "URG-04LX", "pty": "auto"}, 409),
+    ("DELETE", "/sensors/{robot}/{sensor}", "/sensors/other/rear", None, 204),
+    ("DELETE", "/sensors/{robot}/{sensor}", "/sensors/other/rear", None, 404),
     ("GET", READING, "/sensors/robot/tof/reading", None, 200),
     ("GET", READING, "/sensors/robot/sonar/reading", None, 200),
     ("GET", READING, "/sensors/robot/scanner/reading", None, 404),
@@ -173,6 +182,9 @@ EXCHANGES = [
     ("GET", "/stream", "/stream", None, 101),
     ("GET", "/view", "/view", None, 101),
     ("GET", "/wire", "/wire?sensor=robot/multi", None, 101),
+    *[("DELETE", "/sensors/{robot}/{sensor}", "/sensors/robot/" + name, None, 204)
+      for name in ["multi", "tof", "sonar", "played"]],
+    ("DELETE", "/sensors/{robot}/{sensor}", "/sensors/robot/scanner", None, 409),
 ]
 # Over TCP: the answer of the document, its status, and the header fields of the request, which has a body.
 TOKEN = "0123456789abcdef"

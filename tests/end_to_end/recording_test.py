@@ -2,7 +2,7 @@
 # Copyright The scipd authors
 #
 # GET /sensors/R/S/recording: the scans of a file, in each format, are those that a driver got over the wire at the
-# same time, by their stamps. Who leaves, asks wrongly or asks for too many costs nobody else a recording.
+# same time, by their stamps, in Unix time. Who leaves, asks wrongly or asks for too many costs nobody else a recording.
 # recording_test.py SCIPD SCIPCAT SCENES
 import json
 import pathlib
@@ -66,6 +66,8 @@ def holds_what_the_wire_has(model, programs, folder):
         for member in ("distances_mm", "intensities", "echoes", "first_step", "serial", "first_angle_rad"):
             assert (member in made[stamp]) == (member != "echoes" or bool(wants)), (member, stamp)
             assert made[stamp].get(member) == heard[stamp].get(member), f"{model}: another {member} at {stamp} ms"
+        later_s = heard[stamp]["host_time_s"] - made[stamp]["host_time_s"]
+        assert 0.015 < later_s < PATIENCE_S, f"{model}: step 0 is {later_s} s before the scan came, at {stamp} ms"
 
 
 def refuses_and_lets_go(programs, folder):

@@ -16,6 +16,7 @@
 #include <sys/stat.h>
 
 #include "tests/end_to_end/in_square_room.h"
+#include "tests/support/control_request.h"
 
 namespace scipd::tests {
 namespace {
@@ -254,6 +255,15 @@ TEST_F(Reload, CutsOffTheClientOfAChangedScannerOnly) {
     EXPECT_EQ(again.ask(stream_of_one_beam), "00");
     EXPECT_EQ(again.next_scan().distances_mm.front(), 2000U);
     EXPECT_EQ(tty.ask("VV"), "00");
+}
+
+TEST_F(Reload, TellsThatAScannerReadsAsTheFileSaysAgain) {
+    ASSERT_EQ(control_request(daemon_.control(), "PATCH", "/sensors/rescue/front",
+                              R"({"accuracy":"sensor","noise":4})")
+                  .status,
+              200);
+    reload_and_wait_for("is running now; changed: rescue/front");
+    EXPECT_EQ(daemon_.get("/sensors/rescue/front").at("errors").at("noise"), 1);
 }
 
 TEST_F(Reload, ShowsAnotherWorldToThoseWhoStay) {

@@ -13,6 +13,7 @@
 #include "sim/loaders/map/map_picture.h"
 #include "sim/loaders/map/map_walls.h"
 #include "sim/loaders/map/occupancy.h"
+#include "sim/text/quote.h"
 
 namespace {
 
@@ -54,8 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const std::invalid_argument& wrong) {
         const std::string_view text = wrong.what();
         require(!text.empty() && text.size() < 400);
-        for (const char c : text)
-            require(c >= ' ' && c <= '~');
+        require(scipd::sim::printable(text, text.size()) == text);
     }
     return 0;
 }

@@ -15,6 +15,7 @@
 #include "sim/loaders/mvsim/mvsim_ground.h"
 #include "sim/loaders/mvsim/mvsim_walk.h"
 #include "sim/loaders/mvsim/mvsim_walls.h"
+#include "sim/text/quote.h"
 
 namespace {
 
@@ -26,8 +27,7 @@ void require(bool holds) {
 
 void check_sentence(const std::string& sentence) {
     require(!sentence.empty() && sentence.size() < 1000);
-    for (const char c : sentence)
-        require(c >= ' ' && c <= '~');
+    require(scipd::sim::printable(sentence, sentence.size()) == sentence);
 }
 
 void check(const std::vector<PlacedBox>& boxes) {

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "sim/loaders/poses/pose_line.h"
+#include "sim/text/quote.h"
 
 namespace {
 
@@ -37,8 +38,7 @@ void check(const scipd::sim::PoseLine& line) {
 void check(std::string_view refusal) {
     require(!refusal.empty(), "a refusal has a reason");
     require(refusal.size() < 400, "a refusal is a sentence");
-    for (const char c : refusal)
-        require(c >= ' ' && c <= '~', "a refusal is printable");
+    require(scipd::sim::printable(refusal, refusal.size()) == refusal, "a refusal is printable");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include "daemon/recording/decoded_recording.h"
 #include "sim/recording/open_recording.h"
+#include "sim/text/quote.h"
 
 namespace {
 
@@ -24,8 +25,7 @@ void require(bool holds) {
 
 void check(std::string_view sentence) {
     require(!sentence.empty() && sentence.size() < 4000);
-    for (const char c : sentence)
-        require(c >= ' ' && c <= '~');
+    require(scipd::sim::printable(sentence, sentence.size()) == sentence);
 }
 
 void check(const RecordedScan& scan) {

@@ -14,6 +14,7 @@
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/stage/stage_body.h"
 #include "sim/loaders/stage/stage_file.h"
+#include "sim/text/quote.h"
 
 namespace {
 
@@ -25,8 +26,7 @@ void require(bool holds) {
 
 void check_sentence(const std::string& sentence) {
     require(!sentence.empty() && sentence.size() < 500);
-    for (const char c : sentence)
-        require(c >= ' ' && c <= '~');
+    require(scipd::sim::printable(sentence, sentence.size()) == sentence);
 }
 
 void check(const Mesh& mesh) {

@@ -14,6 +14,7 @@
 
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/poses/trajectory_file.h"
+#include "sim/text/quote.h"
 
 namespace {
 
@@ -40,8 +41,7 @@ void check(const std::vector<TimedPose>& poses) {
 
 void check(const std::string& sentence) {
     require(sentence.starts_with("walk:") && sentence.size() < 500);
-    for (const char c : sentence)
-        require(c >= ' ' && c <= '~');
+    require(scipd::sim::printable(sentence, sentence.size()) == sentence);
 }
 
 void check(const LoadError& error) {

@@ -179,6 +179,27 @@ test('begins with a look at the robot and its scan', async ({page, start}) => {
   expect(Math.max(span('x') / box.width, span('y') / box.height)).toBeGreaterThan(0.5);
 });
 
+test('who looks elsewhere before the world is there looks there', async ({page, start}) => {
+  const daemon = await start();
+  let go;
+  const world = new Promise((done) => { go = done; });
+  await page.route('**/scene/objects', async (route) => {
+    await world;
+    await route.continue();
+  });
+  await page.goto(daemon.address);
+  await page.locator('#view-all').click();
+  go();
+  await withScan(page);
+  const eye = () => page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get('eye'));
+  await expect.poll(eye).not.toBeNull();
+  await page.waitForTimeout(1000);
+  const seen = await eye();
+  await page.locator('#view-all').click();
+  await page.waitForTimeout(500);
+  expect(await eye()).toBe(seen);
+});
+
 test('follows a robot that drives by itself', async ({page, start}) => {
   const daemon = await start(['--poses', scene('rescue_maze.tum')]);
   await open(page, daemon);

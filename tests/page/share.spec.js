@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What one takes along from the page: a picture, scans as files, a link.
-import {readFileSync} from 'node:fs';
+// What one takes along from the page: a picture, a recording, a link.
+import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {SENSOR, expect, open, test, withScan} from './page.js';
 import {hash} from './eye.js';
 import {readPng} from './png.js';
@@ -21,7 +21,7 @@ async function shared(page, daemon) {
   await open(page, daemon);
   await withScan(page);
   await page.getByRole('tab', {name: 'Share'}).click();
-  await expect(page.locator('#kept')).toContainText('scans of');
+  await expect(page.locator('#kept')).toContainText(`Of ${SENSOR}`);
   const {sent_mm: sent, intensity} = await daemon.get(`/sensors/${SENSOR}/truth`);
   return {sent, intensity};
 }
@@ -63,37 +63,42 @@ test('a picture of the view tells what it shows', async ({page, start}) => {
   expect(written).toMatch(/scan \d+ at [\d.]+ s/);
 });
 
-test('scans are saved as CSV, JSON lines and UBH', async ({page, start}) => {
-  const daemon = await start(ROOM);
-  const {sent, intensity} = await shared(page, daemon);
+test('the daemon records the next scans, for whoever has the token', async ({page, start, complaints}, info) => {
+  const [token, rig] = [info.outputPath('token'), info.outputPath('config.yaml')];
+  mkdirSync(info.outputDir, {recursive: true});
+  writeFileSync(token, 'a-token-of-this-test-0123456789', {mode: 0o600});
+  writeFileSync(rig, `scene: ${scene('square_room.sdf')}
+http: {listen: "127.0.0.1:0", token_file: token}
+robots: {robot: {sensors: {scanner: {model: UST-10LX, accuracy: ideal, tcp: "127.0.0.1:0"}}}}
+`);
+  const daemon = await start(['--config', rig]);
+  await page.goto(daemon.address);
+  await page.locator('#token').fill('a-token-of-this-test-0123456789');
+  await page.getByRole('button', {name: 'Go on'}).click();
+  await withScan(page);
+  await page.getByRole('tab', {name: 'Share'}).click();
+  await page.getByLabel('The next').selectOption('10');
+  const files = {};
+  for (const [format, button] of Object.entries({mcap: 'MCAP', ubh: 'UBH', csv: 'CSV', jsonl: 'JSON lines'})) {
+    const {name, bytes} = await save(page, button);
+    expect(name).toMatch(new RegExp(`^robot-scanner-.*\\.${format}$`));
+    files[format] = bytes;
+  }
+  expect(files.mcap.subarray(0, 5).toString('latin1')).toBe('\x89MCAP');
+  expect(files.ubh.toString()).toContain('UST-10LX');
+  const {sent_mm: sent} = await daemon.get(`/sensors/${SENSOR}/truth`, 'a-token-of-this-test-0123456789');
+  const lines = files.jsonl.toString().trimEnd().split('\n').map(JSON.parse);
+  expect(lines.map(({distances_mm: mm}) => mm)).toEqual(Array(10).fill(sent));
+  expect(files.csv.toString().trimEnd().split('\n').filter((line) => !line.startsWith('#')).length).toBe(10);
 
-  const csv = (await save(page, 'CSV')).bytes.toString().trimEnd().split('\n');
-  const rows = csv.filter((line) => !line.startsWith('#')).map((line) => line.split(',').map(Number));
-  expect(rows.length).toBeGreaterThan(1);
-  expect(rows[0].slice(2, 2 + sent.length)).toEqual(sent);
-  expect(rows[0].slice(2 + sent.length)).toEqual(intensity);
-  // As scipcat says, by what PP tells: a UST-10LX sends nothing below 21 mm, and its DMIN is 20.
-  expect(csv.find((line) => line.includes('is a code'))).toContain('not within 20 to 30000 is a code');
-  expect(csv.find((line) => line.includes('host_time_s,'))).toMatch(/distance_mm_0,.*intensity_1080$/);
-
-  const lines = (await save(page, 'JSON lines')).bytes.toString().trimEnd().split('\n').map(JSON.parse);
-  expect(lines[0]).toMatchObject({
-    model: 'UST-10LX', first_step: 0, cluster: 1, dmin_mm: 20, dmax_mm: 30000,
-    distances_mm: sent, intensities: intensity});
-  expect(lines[0].first_angle_rad).toBeCloseTo(-0.75 * Math.PI, 9);
-  expect(lines[0].serial).toBeTruthy();
-
-  const {name, bytes} = await save(page, 'UBH');
-  expect(name).toMatch(/\.ubh$/);
-  const ubh = bytes.toString().trimEnd().split('\n');
-  const value = (key) => ubh[ubh.indexOf(`[${key}]`) + 1];
-  expect(value('model')).toBe('UST-10LX');
-  expect(value('minDistance')).toBe('20');
-  expect(value('captureMode')).toBe('ME_Capture_mode');
-  expect(['startStep', 'endStep', 'frontStep', 'totalSteps'].map(value)).toEqual(['0', '1080', '540', '1440']);
-  expect(value('logtime')).toMatch(/^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\.\d{3}$/);
-  expect(value('scan').split(';').map((step) => step.split('|').map(Number)))
-    .toEqual(sent.map((mm, i) => [mm, intensity[i]]));
+  await page.getByLabel('The next').selectOption('4000');
+  await page.getByRole('button', {name: 'CSV', exact: true}).click();
+  await expect(page.locator('#kept')).toContainText('Records 4000 scans');
+  await page.getByRole('button', {name: 'Stop'}).click();
+  await expect(page.locator('#kept')).toContainText(`Of ${SENSOR}`);
+  await expect(page.locator('#notices')).not.toContainText('daemon');
+  for (const text of complaints) expect(text).toMatch(/401/);
+  complaints.length = 0;
 });
 
 test('what a link says wrongly is left out', async ({page, start}) => {
@@ -101,17 +106,17 @@ test('what a link says wrongly is left out', async ({page, start}) => {
   await open(page, daemon);
   await withScan(page);
   const chosen = () => page.evaluate(() => {
-    const {paint, rays, trail_s, cut_m, keep_s, eye} = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+    const {paint, rays, trail_s, cut_m, scans, eye} = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
     // It depends on when the first scan came, but is above the room in any case.
     const [x, y, z] = (eye || '').split(',').map(Number);
-    return {paint, rays, trail_s, cut_m, keep_s, looksDown: Math.abs(x) < 10 && Math.abs(y) < 10 && z > 5 && z < 20};
+    return {paint, rays, trail_s, cut_m, scans, looksDown: Math.abs(x) < 10 && Math.abs(y) < 10 && z > 5 && z < 20};
   });
   await page.locator('#view-all').click();
   await expect.poll(async () => (await chosen()).looksDown).toBe(true);
   const usual = await chosen();
   for (const wrong of ['eye=1e300,0,0&at=0,0,0', 'eye=1,2,3&at=1,2,3', 'eye=1,2&at=0,0,0', 'eye=a,b,c&at=0,0,0',
-    'paint=x&colours=y&trail_s=-1&cut_m=1e300&keep_s=', 'trail_s=1e9&keep_s=0&panel=x&sensor=x&select=x:y',
-    'rays=x&trail_s=3&keep_s=7']) {
+    'paint=x&colours=y&trail_s=-1&cut_m=1e300&scans=', 'trail_s=1e9&scans=0&panel=x&sensor=x&select=x:y',
+    'rays=x&trail_s=3&scans=7']) {
     await page.goto('about:blank');
     await open(page, daemon, `#${wrong}`);
     await withScan(page);

@@ -105,6 +105,34 @@ test('under clock: poses, time plays, stands still and steps', async ({page, sta
   const stopped_s = await time_s();
   await page.waitForTimeout(700);
   expect(await time_s()).toBe(stopped_s);
+
+  // Who drives sends stamps that time has not reached.
+  await page.locator('#canvas').press('n');
+  for (let i = 0; i < 5; ++i) await page.locator('#canvas').press('w', {delay: 150});
+  await expect(page.locator('.notice.trouble')).toHaveCount(0);
+  expect(await time_s() - stopped_s).toBeLessThan(0.001);
+});
+
+test('under clock: poses, time goes on once the page knows a pose', async ({page, start}) => {
+  const daemon = await start([...room(), '--clock', 'poses']);
+  const time_s = async () => (await daemon.get('/status')).time_s;
+  let hear;
+  const heard = new Promise((done) => { hear = done; });
+  await page.routeWebSocket(/./, (socket) => {
+    const server = socket.connectToServer();
+    server.onMessage(async (message) => {
+      await heard;
+      socket.send(message);
+    });
+  });
+  await open(page, daemon, hash(EYE, AT));
+  // The status, which says that time goes by poses, comes another way, once a second.
+  await page.waitForTimeout(2500);
+  await expect(page.locator('#clock')).toBeHidden();
+  const before_s = await time_s();
+  hear();
+  await page.getByRole('button', {name: 'Step'}).click();
+  await near(time_s, before_s + 0.025, 1e-6);
 });
 
 function covers({x, y, width, height}, place) {

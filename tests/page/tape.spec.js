@@ -29,6 +29,10 @@ test('measures by clicks and by a drag, and moves nothing', async ({page, start}
   await page.mouse.click(b.x, b.y);
   await page.mouse.move(b.x + 90, b.y + 40);
   await near(async () => (await measured(page)).along_m[0], 3, 0.03);
+  const label = await page.locator('#tape').boundingBox();
+  for (const {x, y} of [a, b]) {
+    expect(x > label.x && x < label.x + label.width && y > label.y && y < label.y + label.height).toBe(false);
+  }
   const floor = await measured(page);
   expect(Math.abs(floor.length_m - Math.hypot(3, 1.5))).toBeLessThan(0.03);
   expect(Math.abs(floor.along_m[1] - 1.5)).toBeLessThan(0.03);

@@ -196,3 +196,32 @@ test('a trail begins anew with a daemon that does', async ({page, start}) => {
   });
   expect(lengths).toEqual([4, 7, 2, 3]);
 });
+
+test('the view goes along into another world, and stays in the same one', async ({page, start}) => {
+  const daemon = await start(['--scene', scene('square_room.sdf'), '--accuracy', 'ideal']);
+  await open(page, daemon);
+  await withScan(page);
+  const link = () => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
+  const away = async () => {
+    const {eye, at} = await link();
+    return eye ? Math.hypot(...eye.split(',').map((value, k) => value - at.split(',')[k])) : Infinity;
+  };
+  await expect.poll(away).toBeLessThan(Infinity);
+  const far_m = await away();
+  await page.locator('#canvas').press('+');
+  await expect.poll(away).toBeLessThan(0.9 * far_m);
+  const near_m = await away();
+  await daemon.put('/scene', {file: scene('square_room.sdf')});
+  await page.waitForTimeout(2000);
+  expect(await away()).toBeCloseTo(near_m, 2);
+  // It is 30 m long, and its walls are seen from 2 m away to the end.
+  await daemon.put('/scene', {file: scene('corridor.sdf')});
+  await expect(page.locator('#world-name')).toHaveText('corridor.sdf');
+  await expect.poll(away).toBeGreaterThan(2 * near_m);
+  await page.locator('#view-top').click();
+  await expect.poll(async () => (await link()).top).toBe('1');
+  const high_m = await away();
+  await daemon.put('/scene', {file: scene('square_room.sdf')});
+  await expect.poll(away).toBeLessThan(high_m / 2);
+  await expect(page.locator('#view-top')).toHaveAttribute('aria-pressed', 'true');
+});

@@ -2,8 +2,10 @@
 # Copyright The scipd authors
 #
 # What a driver gets, what is true, what they say to each other, and recordings of it.
+import dataclasses
 import json
 import math
+import re
 import socket
 import struct
 import time
@@ -23,6 +25,9 @@ def test_a_scan_is_what_the_room_is(scipd, room):
     for angle, range_m in [(0, 3), (math.pi / 2, 2), (-math.pi / 2, 2), (math.pi / 4, 1.8713), (-math.pi / 4, 2.1213)]:
         assert scan.at(angle) == pytest.approx(range_m, abs=0.0015)
     assert scan.nearest().range_m == min(scan.ranges_m)
+    # What a failed assertion shows.
+    assert re.fullmatch(r"<Scan of robot/scanner at \d+ ms: 1081 steps, the nearest 1\.8\d\d m at -?0\.\d\d rad>",
+                        repr(scan))
     with pytest.raises(ValueError, match="looks from"):
         scan.at(math.pi)
 
@@ -34,6 +39,8 @@ def test_the_truth_is_that_of_the_same_turn(scipd, room):
     assert truth.raw["sent_mm"] == scan.sent_mm
     assert truth.at(0).object == "room::body::front"
     assert truth.nearest().range_m == min(truth.ranges_m)
+    assert re.fullmatch(r"<Truth of robot/scanner at \d+\.\d+ s: 1081 steps, the nearest .*, box::body::box>",
+                        repr(truth))
     time.sleep(1.2)
     daemon.scan()
     with pytest.raises(ScipdError, match="ask within a second"):
@@ -45,6 +52,7 @@ def test_codes_are_no_ranges():
     with Scipd(model="URG-04LX", accuracy="ideal") as daemon:
         scan = daemon.scan()
         assert scan.intensities is None
+        assert "no range" in repr(dataclasses.replace(scan, ranges_m=[None] * 5))
         assert all((r is None) == (mm < 20) for r, mm in zip(scan.ranges_m, scan.sent_mm))
 
 
@@ -55,7 +63,7 @@ def test_beside_a_driver_a_scan_comes_by_the_tty(scipd, room):
         daemon.wire.wait_for("MD")
         assert daemon.scan().at(0) == 3.0
         assert daemon.sensor().status["state"] == "streaming"
-        assert {message.client for message in daemon.wire} == {"tcp", "tty"}
+        eventually(lambda: {message.client for message in daemon.wire} == {"tcp", "tty"}, "the tty is not heard")
     lonely = scipd(world=room, args=["--pty", "none"])
     with socket.create_connection((lonely.host, lonely.port)) as driver:
         driver.sendall(b"VV\n")

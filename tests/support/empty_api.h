@@ -17,6 +17,8 @@
 #include "daemon/api/recordings.h"
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/scene_gallery.h"
+#include "daemon/clock/stepped_clock.h"
+#include "daemon/config/added_sensor.h"
 #include "daemon/config/config.h"
 
 namespace scipd::tests {
@@ -41,6 +43,13 @@ class EmptyApi : public daemon::Api {
   public:
     [[nodiscard]] daemon::RigReport report() const override { return {}; }
     [[nodiscard]] daemon::Config configuration() const override { return {}; }
+    void add_sensor(daemon::AddedSensor, daemon::EditDone done, std::stop_token) override {
+        done({});
+    }
+    void remove_sensor(const std::string&, const std::string&, daemon::EditDone done,
+                       std::stop_token) override {
+        done({});
+    }
     [[nodiscard]] std::optional<daemon::SensorRecord> latest(const std::string& sensor) override {
         const auto kept = log(sensor);
         if (!kept) return {};
@@ -109,7 +118,9 @@ class EmptyApi : public daemon::Api {
     sim::SharedScene scene_ = std::make_shared<const sim::Scene>();
     std::vector<sim::Medium> media_;
     daemon::ScanStream stream_;
-    daemon::Recordings recordings_{{}, [](const daemon::Worker::Begin& begin) { begin()()(); }};
+    daemon::SteppedClock clock_;
+    daemon::Recordings recordings_{
+        {}, clock_, [](const daemon::Worker::Begin& begin) { begin()()(); }};
     EmptyFaults faults_;
     daemon::SceneGallery gallery_{
         [](const daemon::Worker::Begin& begin) { begin()()(); }};  // here and now

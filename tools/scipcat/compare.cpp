@@ -11,6 +11,7 @@
 #include "tools/scipcat/compare/comparison_report.h"
 #include "tools/scipcat/compare_picture.h"
 #include "tools/scipcat/compare_take.h"
+#include "tools/scipcat/recording_target.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scipcat_commands.h"
 
@@ -27,6 +28,8 @@ struct CompareOptions {
 };
 
 comparing::Comparison comparison_of(const CompareOptions& options) {
+    if (is_recording(options.a.connection.target) && is_recording(options.b.connection.target))
+        options.scan.take_all_of_recording();
     try {
         const auto a = take_scans(options.a, options.scan, "A");
         const auto b = take_scans(options.b, options.scan, "B");

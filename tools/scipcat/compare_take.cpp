@@ -10,7 +10,7 @@
 #include "daemon/recording/scip_values.h"
 #include "protocol/client/error.h"
 #include "tools/options.h"
-#include "tools/scipcat/clock_reading.h"
+#include "tools/scipcat/read_clock.h"
 #include "tools/scipcat/recording_target.h"
 #include "tools/scipcat/running_stream.h"
 #include "tools/scipcat/scan_progress.h"

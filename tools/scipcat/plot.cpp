@@ -17,6 +17,7 @@
 #include "tools/scipcat/plot_text.h"
 #include "tools/scipcat/point_colours.h"
 #include "tools/scipcat/polar_plot.h"
+#include "tools/scipcat/recorded_model.h"
 #include "tools/scipcat/recording_target.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scipcat_commands.h"
@@ -32,6 +33,7 @@ struct PlotOptions {
     ConnectionOptions connection;
     ScanOptions scan;
     std::uint64_t number = 1;  ///< of the scan in a recording
+    std::string model;         ///< that it was recorded from; empty: the recording says where
     std::string file;          ///< empty: the terminal
     std::string title;
     std::optional<ColourBy> colour;
@@ -78,12 +80,23 @@ PlotSubject take_scan(PlotOptions& options) {
     return subject_of(scanner, options.scan);
 }
 
+PlotSubject recorded_scan(const PlotOptions& options) {
+    const std::string& file = options.connection.target;
+    PlotSubject subject = subject_of(file, options.number);
+    if (!options.model.empty()) take_for_model(subject, options.model);
+    const sim::Directions& directions = subject.scan.directions;
+    if (!directions.first_rad || !directions.increment_rad)
+        throw WrongInput(file +
+                         " does not say where its steps look; name the model that it was "
+                         "recorded from: --model");
+    return subject;
+}
+
 void plot(PlotOptions options) {
     if (options.scan.intensity && !options.colour) options.colour = ColourBy::intensity;
     if (options.colour == ColourBy::intensity) options.scan.intensity = true;
     const std::string& target = options.connection.target;
-    const PlotSubject subject =
-        is_recording(target) ? subject_of(target, options.number) : take_scan(options);
+    const PlotSubject subject = is_recording(target) ? recorded_scan(options) : take_scan(options);
     TopView view = make_top_view(subject.scan, subject.identity);
     std::string seed;
     if (options.need_truth()) {
@@ -111,9 +124,12 @@ void check(const PlotOptions& options) {
     if (options.need_truth() && options.scan.cluster > 1)
         throw CLI::ValidationError("--color material and error need --cluster 1");
     const bool recorded = is_recording(options.connection.target);
+    if (recorded) options.scan.take_all_of_recording();
     if (options.need_truth() && recorded)
         throw CLI::ValidationError("--color material and error need a scanner of a scipd");
     if (options.number > 1 && !recorded) throw CLI::ValidationError("--scan needs a recording");
+    if (!options.model.empty() && !recorded)
+        throw CLI::ValidationError("--model needs a recording; a scanner says what it is");
 }
 
 }  // namespace
@@ -125,6 +141,9 @@ void add_plot_command(CLI::App& program) {
     options->connection.add_to(*command, Targets::scanners_and_recordings);
     command->add_option("--scan", options->number, "of a recording: which scan, from 1")
         ->check(whole_from(1));
+    command->add_option("--model", options->model,
+                        "of a recording that does not say where its steps look: what it was "
+                        "recorded from, one of scipd --list-models");
     command->add_option("-o,--output", options->file, "the picture; default: in the terminal")
         ->check(ends_in({".png", ".svg"}));
     command->add_option("--title", options->title, "title; default: the model");
@@ -149,6 +168,7 @@ void add_plot_command(CLI::App& program) {
         "  scipcat plot tcp://127.0.0.1:10940\n"
         "  scipcat plot tcp://127.0.0.1:10940 --color error\n"
         "  scipcat plot room.mcap --scan 40\n"
+        "  scipcat plot table.txt --model UST-10LX\n"
         "  scipcat plot /dev/ttyACM0 -o maze.png --title 'Rescue maze' --intensity");
 }
 

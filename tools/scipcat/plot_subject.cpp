@@ -49,8 +49,6 @@ PlotSubject subject_of(const std::filesystem::path& file, std::uint64_t number) 
             throw WrongInput(file.string() + " has " + std::to_string(count - 1) + " scans");
         if (count < number) continue;
         auto& scan = std::get<sim::RecordedScan>((*item)->what);
-        if (!scan.directions.first_rad || !scan.directions.increment_rad)
-            throw WrongInput(file.string() + " does not say where its steps look");
         return {std::move(scan), recording->streams()[(*item)->stream].identity};
     }
 }

@@ -15,7 +15,7 @@
 namespace scipd::tools {
 
 struct PlotSubject {
-    sim::RecordedScan scan;  ///< which knows where it looks
+    sim::RecordedScan scan;
     sim::ScannerIdentity identity;
 };
 

@@ -116,8 +116,8 @@ Colouring by_intensity(const TopView& view) {
     return colouring;
 }
 
-/// The scale ends at about three times the usual error: where a sensor looks through glass, or sees
-/// an edge, it is wrong by metres.
+/// The scale ends at about three times the usual error: where a sensor sees an edge, it is wrong by
+/// metres.
 Colouring by_error(const TopView& view) {
     const Value error_m = [](const ViewPoint& point) { return point.error_m; };
     const auto sizes = sorted(view, [](const ViewPoint& point) {
@@ -140,28 +140,40 @@ PointStyle style_of(std::size_t material) {
             static_cast<Shape>(material / of_materials.size() % shapes)};
 }
 
-/// Those of the most points first: they get the plainest marks.
-std::vector<std::string> materials_of(const TopView& view) {
+/// How many points have each material.
+std::map<std::string, int> counted(const TopView& view) {
     std::map<std::string, int> points_of;
     for (const auto* const points : {&view.points, &view.further}) {
         for (const ViewPoint& point : *points)
             ++points_of[point.material];
     }
-    std::vector<std::string> names;
+    return points_of;
+}
+
+/// Those of the world in its order, so that a material has one colour in all scans and on the live
+/// page; then others of the points, those of the most points first; then none.
+std::vector<std::string> in_order(const TopView& view,
+                                  const std::map<std::string, int>& points_of) {
+    std::vector<std::string> others;
     for (const auto& [name, points] : points_of)
-        names.push_back(name);
-    std::ranges::stable_sort(names, std::ranges::greater{},
-                             [&](const std::string& name) { return points_of[name]; });
+        others.push_back(name);
+    std::ranges::stable_sort(others, std::ranges::greater{}, [&](const std::string& name) {
+        return name.empty() ? 0 : points_of.at(name);
+    });
+    std::vector<std::string> names = view.materials;
+    names.insert(names.end(), others.begin(), others.end());
     return names;
 }
 
 Colouring by_material(const TopView& view) {
     Colouring colouring{.points = {}, .further = {}, .legend = {.title = "material"}};
+    const std::map<std::string, int> points_of = counted(view);
     std::map<std::string, PointStyle> styles;
-    std::size_t next = 0;
-    for (const std::string& name : materials_of(view)) {
-        styles[name] = name.empty() ? PointStyle{unknown} : style_of(next++);
-        colouring.legend.names.push_back({name.empty() ? "none" : name, styles[name]});
+    for (const std::string& name : in_order(view, points_of)) {
+        const auto [entry, is_new] =
+            styles.try_emplace(name, name.empty() ? PointStyle{unknown} : style_of(styles.size()));
+        if (is_new && points_of.contains(name))
+            colouring.legend.names.push_back({name.empty() ? "none" : name, entry->second});
     }
     for (const ViewPoint& point : view.points)
         colouring.points.push_back(styles[point.material]);

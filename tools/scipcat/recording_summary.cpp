@@ -13,14 +13,22 @@ namespace {
 using sim::RecordedScan;
 using std::chrono::duration;
 
+/// By the scanner's clock; nothing where it is not known or went back, as it does at a new start.
+std::optional<double> stamped_seconds_between(const RecordedScan& before,
+                                              const RecordedScan& scan) {
+    constexpr std::uint32_t stamps = 1U << 24;  // a stamp of 24 bits wraps after 4.66 hours
+    if (before.stamp_us && scan.stamp_us && *scan.stamp_us >= *before.stamp_us)
+        return static_cast<double>(*scan.stamp_us - *before.stamp_us) / 1e6;
+    if (before.stamp_ms && scan.stamp_ms) {
+        const std::uint32_t forward_ms = (*scan.stamp_ms - *before.stamp_ms) % stamps;
+        if (forward_ms < stamps / 2) return forward_ms / 1e3;
+    }
+    return std::nullopt;
+}
+
 /// The seconds from one scan to the next; nothing where neither clock tells.
 std::optional<double> seconds_between(const RecordedScan& before, const RecordedScan& scan) {
-    constexpr std::uint32_t stamps = 1U << 24;  // a stamp of 24 bits wraps after 4.66 hours
-    if (before.stamp_us && scan.stamp_us)
-        return static_cast<double>(static_cast<std::int64_t>(*scan.stamp_us - *before.stamp_us)) /
-               1e6;
-    if (before.stamp_ms && scan.stamp_ms)
-        return ((*scan.stamp_ms - *before.stamp_ms) % stamps) / 1e3;
+    if (const auto stamped = stamped_seconds_between(before, scan)) return stamped;
     if (before.host_time && scan.host_time)
         return duration<double>(*scan.host_time - *before.host_time).count();
     return std::nullopt;

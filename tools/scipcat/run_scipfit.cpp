@@ -3,12 +3,15 @@
 #include "tools/scipcat/run_scipfit.h"
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <thread>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
 
 #include "tools/child_program.h"
 #include "tools/options.h"
@@ -21,13 +24,34 @@ namespace {
 
 using namespace std::chrono_literals;
 
-int wait_for(ChildProgram& scipfit) {
+/// A signal that would end us is an error, so that nothing of the fit stays behind. It is caught
+/// from before the fit begins.
+class Interruption {
+  public:
+    Interruption() {
+        signals_.async_wait([this](const auto& error, int) { came_ = !error; });
+    }
+
+    [[nodiscard]] bool comes_within(std::chrono::milliseconds time) {
+        context_.run_for(time);
+        return came_;
+    }
+
+  private:
+    boost::asio::io_context context_;
+    boost::asio::signal_set signals_{context_, SIGINT, SIGTERM};
+    bool came_ = false;
+};
+
+int wait_for(ChildProgram& scipfit, Interruption& interruption) {
+    bool interrupted = false;
+    std::optional<int> exit_code;
     const bool watched = stderr_is_terminal();
     if (watched) std::cerr << "fitting" << std::flush;
-    std::optional<int> exit_code;
-    while (!(exit_code = scipfit.exit_code()))
-        std::this_thread::sleep_for(10ms);
+    while (!interrupted && !(exit_code = scipfit.exit_code()))
+        interrupted = interruption.comes_within(10ms);
     if (watched) SafeOutput::write_as_is(std::cerr, "\r\x1b[K");
+    if (interrupted) throw std::runtime_error("interrupted during the fit");
     return *exit_code;
 }
 
@@ -54,8 +78,9 @@ std::string run_scipfit(const std::vector<std::string>& words) {
     std::vector<std::string> command{program_beside("scipfit")};
     command.insert(command.end(), words.begin(), words.end());
     const TemporaryFolder folder("scipcat-fit");
+    Interruption interruption;
     ChildProgram scipfit(command, folder.path(), "scipfit");
-    const int exit_code = wait_for(scipfit);
+    const int exit_code = wait_for(scipfit, interruption);
     if (exit_code == 0) return scipfit.output();
     const std::string errors = sentence_of(scipfit.errors());
     if (exit_code == wrong_input) throw WrongInput(errors);

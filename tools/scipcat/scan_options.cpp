@@ -91,6 +91,13 @@ protocol::client::ScanRequest ScanOptions::request(
     };
 }
 
+void ScanOptions::take_all_of_recording() const {
+    if (start || end || cluster != 1)
+        throw WrongInput(
+            "--start, --end and --cluster tell a scanner what to send, and a recording is there "
+            "already: leave them out");
+}
+
 CLI::Validator ends_in(const std::vector<std::string>& endings) {
     std::string files;
     std::string names;

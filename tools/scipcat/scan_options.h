@@ -47,6 +47,8 @@ struct ScanOptions {
     /// If a first or last step was not given, it is the first or last that the scanner measures.
     [[nodiscard]] protocol::client::ScanRequest request(
         const protocol::client::Parameters& parameters) const;
+    /// Throws WrongInput where a part of the scan was asked for: a recording has what it has.
+    void take_all_of_recording() const;
 };
 
 /// Refuses file names with none of these endings.

@@ -50,7 +50,8 @@ struct TopView {
     double first_angle_rad = 0.0;    ///< the field of view begins here
     double last_angle_rad = 0.0;
     bool has_intensity = false;
-    Bounds bounds;  ///< the points, the scanner and a margin
+    Bounds bounds;                       ///< the points, the scanner and a margin
+    std::vector<std::string> materials;  ///< names that the world has, in its order, if it is known
 };
 
 /// A value outside the scanner's DMIN to DMAX is no distance and leaves no point. The scan knows

@@ -131,6 +131,9 @@ Truth ask_truth(const TruthOptions& options, const std::string& target, std::uin
     const Json known = client.get(path_of(sensor));
     // An older scipd does not tell it.
     if (known.contains("seed")) truth.seed = text(known["seed"]);
+    const Json scene = client.get("/scene");
+    for (const Json& name : scene.at("materials"))
+        truth.materials.push_back(text(name));
     return truth;
 }
 
@@ -141,13 +144,13 @@ void add_truth(TopView& view, const Truth& truth) {
         const Truth::Step& step = truth.steps[index];
         const Truth::Echo* const echo = nearest(step.echoes, point.range_m);
         point.material = echo != nullptr ? echo->material : step.material;
-        // Only the first echo of a beam stands for what its middle meets.
-        const std::optional<double> true_m =
-            point.echo > 0 && echo != nullptr ? echo->range_m : step.true_m;
+        // A wall seen rightly through glass is right, although the beam met the glass first.
+        const std::optional<double> true_m = echo != nullptr ? echo->range_m : step.true_m;
         if (true_m) point.error_m = point.range_m - *true_m;
     };
     std::ranges::for_each(view.points, tell);
     std::ranges::for_each(view.further, tell);
+    view.materials = truth.materials;
 }
 
 }  // namespace scipd::tools

@@ -28,6 +28,7 @@ struct Truth {
     std::string seed;  ///< of all that the scanner does by chance
     int first_step = 0;
     std::vector<Step> steps;
+    std::vector<std::string> materials;  ///< of the world, in its order
 };
 
 /// Which scipd knows the truth, and by which name of the scanner.
@@ -53,7 +54,7 @@ void announce_question(const TruthOptions& options, const std::string& target);
 [[nodiscard]] Truth ask_truth(const TruthOptions& options, const std::string& target,
                               std::uint32_t stamp_ms);
 
-/// Tells each point its material and error.
+/// Tells each point its material and error, and the view which materials there are.
 void add_truth(TopView& view, const Truth& truth);
 
 }  // namespace scipd::tools

@@ -62,11 +62,33 @@ void tell_what_to_do(const std::vector<fs::path>& recordings, const TwinFiles& f
               << " tcp://127.0.0.1:10940\nin pictures: " << files.report.string() << '\n';
 }
 
+/// A folder, with those that it lies in. In the end the ones that were not there before go, if
+/// nothing was written to them.
+class FolderForFiles {
+  public:
+    explicit FolderForFiles(const fs::path& folder) {
+        for (fs::path at = fs::absolute(folder).lexically_normal(); !fs::exists(at);
+             at = at.parent_path())
+            made_.push_back(at);
+        std::error_code error;
+        fs::create_directories(folder, error);
+        if (error) throw WrongInput(folder.string() + ": cannot be made: " + error.message());
+    }
+    FolderForFiles(const FolderForFiles&) = delete;
+    FolderForFiles& operator=(const FolderForFiles&) = delete;
+    ~FolderForFiles() {
+        std::error_code not_empty;
+        for (const fs::path& folder : made_)
+            fs::remove(folder, not_empty);
+    }
+
+  private:
+    std::vector<fs::path> made_;  ///< the innermost first
+};
+
 void make_twin(const TwinOptions& options) {
     require_scipfit();
-    std::error_code error;
-    fs::create_directories(options.folder, error);
-    if (error) throw WrongInput(options.folder.string() + ": cannot be made: " + error.message());
+    const FolderForFiles folder(options.folder);
     const auto recordings = record_for_twin(options.connection, options.seconds, options.folder);
     const TwinFiles files{options.folder / "twin.yaml", options.folder / "room.sdf",
                           options.folder / "report.html"};

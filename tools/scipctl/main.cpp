@@ -35,6 +35,8 @@ scipd::daemon::MoreWords names_from_scipd() {
         {"/replay", sensors + "seek step pause play speed "},
         {"/scene/move", models},
         {"/scene/remove", models},
+        {"/sensor/remove", sensors},
+        {"/sensor/set", sensors},
         {"/truth", sensors},
     };
 }

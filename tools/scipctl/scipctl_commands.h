@@ -37,7 +37,7 @@ void add_fleet_commands(CLI::App& program, const ControlOptions& control);
 /// `scipctl reading ROBOT/SENSOR`
 void add_reading_command(CLI::App& program, const ControlOptions& control);
 
-/// `scipctl sensor set ROBOT/SENSOR KEY=VALUE...`
+/// `scipctl sensor set|add|remove ROBOT/SENSOR [KEY=VALUE...]`
 void add_sensor_command(CLI::App& program, const ControlOptions& control);
 
 /// `scipctl replay ROBOT/SENSOR seek|step|pause|play|speed`

@@ -17,6 +17,8 @@ namespace {
 
 using Json = ControlClient::Json;
 
+constexpr const char* of_a_sensor = "model=UST-10LX or tcp=127.0.0.1:0";
+
 struct SetOptions {
     std::string sensor;
     std::vector<std::string> members;
@@ -40,12 +42,49 @@ void set(const ControlOptions& control, const SetOptions& options) {
     std::cout << json_text(now) << '\n';
 }
 
-}  // namespace
+void add_sensor(const ControlOptions& control, const SetOptions& options) {
+    Json sensor{{"name", options.sensor}};
+    for (const std::string& member : options.members)
+        add_member(sensor, member, of_a_sensor);
+    ControlClient client(control.socket);
+    const Json answer = client.post("/sensors", sensor);
+    for (const Json& warning : answer.at("warnings"))
+        std::cerr << "scipctl: " << warning.get<std::string>() << '\n';
+    std::cout << json_text(answer.at("sensor")) << '\n';
+}
 
-void add_sensor_command(CLI::App& program, const ControlOptions& control) {
-    auto* const sensor = program.add_subcommand("sensor", "change how well a scanner reads");
-    sensor->require_subcommand(1);
-    auto* const command = sensor->add_subcommand(
+void remove_sensor(const ControlOptions& control, const std::string& sensor) {
+    ControlClient client(control.socket);
+    about_sensor(client, sensor, [&] { client.remove(sensor_path(sensor)); });
+}
+
+void add_sensor_add(CLI::App& sensor, const ControlOptions& control) {
+    auto* const command =
+        sensor.add_subcommand("add", "add one, on a robot that is there or on a new one");
+    const auto options = std::make_shared<SetOptions>();
+    command->add_option("SENSOR", options->sensor, "its name, as ROBOT/SENSOR")->required();
+    command
+        ->add_option("KEY=VALUE", options->members,
+                     "the keys of a sensor in a configuration: model, tcp, pty, mount, accuracy "
+                     "and more; and pose, where a new robot stands")
+        ->required();
+    command->callback([&control, options] { add_sensor(control, *options); });
+    command->footer(
+        "Examples:\n"
+        "  scipctl sensor add rescue/left model=URG-04LX pty=auto mount.xyz='[0, 0.2, 0.2]'\n"
+        "  scipctl sensor add other/front model=UST-20LX tcp=127.0.0.1:0 pose.xyz='[1, 2, 0]'");
+}
+
+void add_sensor_remove(CLI::App& sensor, const ControlOptions& control) {
+    auto* const command =
+        sensor.add_subcommand("remove", "take one away; its robot goes with its last one");
+    const auto name = std::make_shared<std::string>();
+    command->add_option("SENSOR", *name, "its name, as ROBOT/SENSOR")->required();
+    command->callback([&control, name] { remove_sensor(control, *name); });
+}
+
+void add_sensor_set(CLI::App& sensor, const ControlOptions& control) {
+    auto* const command = sensor.add_subcommand(
         "set", "change accuracy, noise, bias or interference while its clients go on");
     const auto options = std::make_shared<SetOptions>();
     command->add_option("SENSOR", options->sensor,
@@ -61,6 +100,17 @@ void add_sensor_command(CLI::App& program, const ControlOptions& control) {
         "Examples:\n"
         "  scipctl sensor set rescue/front accuracy=ideal\n"
         "  scipctl sensor set rescue/front noise=2 bias=none");
+}
+
+}  // namespace
+
+void add_sensor_command(CLI::App& program, const ControlOptions& control) {
+    auto* const sensor =
+        program.add_subcommand("sensor", "add or remove one, or change how well it reads");
+    sensor->require_subcommand(1);
+    add_sensor_set(*sensor, control);
+    add_sensor_add(*sensor, control);
+    add_sensor_remove(*sensor, control);
 }
 
 }  // namespace scipd::tools

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,14 +34,25 @@ std::string lateness(const Json& sensor) {
     return text(late, "p50") + " / " + text(late, "p99") + " / " + text(late, "max");
 }
 
+/// The kinds of those that act now.
+std::string faults(const Json& sensor) {
+    std::set<std::string> kinds;
+    for (const Json& kind : sensor.value("faults", Json::array()))
+        kinds.insert(kind.get<std::string>());
+    std::string all;
+    for (const std::string& kind : kinds)
+        all += (all.empty() ? "" : ", ") + kind;
+    return all.empty() ? "-" : all;
+}
+
 void print_sensors(const Json& sensors) {
-    std::vector<Row> rows{{"SENSOR", "MODEL", "BACKEND", "STATE", "CLIENTS", "SCANS", "LOST",
-                           "STREAM LOST", "LATE p50/p99/max ms", "TCP", "TTY"}};
+    std::vector<Row> rows{{"SENSOR", "MODEL", "BACKEND", "STATE", "FAULTS", "CLIENTS", "SCANS",
+                           "LOST", "STREAM LOST", "LATE p50/p99/max ms", "TCP", "TTY"}};
     for (const Json& sensor : sensors) {
         rows.push_back({text(sensor, "name"), text(sensor, "model"), text(sensor, "backend"),
-                        text(sensor, "state"), text(sensor, "clients"), text(sensor, "scans"),
-                        text(sensor, "lost"), text(sensor, "stream_lost"), lateness(sensor),
-                        text(sensor, "tcp"), text(sensor, "pty")});
+                        text(sensor, "state"), faults(sensor), text(sensor, "clients"),
+                        text(sensor, "scans"), text(sensor, "lost"), text(sensor, "stream_lost"),
+                        lateness(sensor), text(sensor, "tcp"), text(sensor, "pty")});
     }
     print_table(std::cout, rows);
     for (const Json& sensor : sensors) {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/random.h"
 #include "tools/scipfit/standing.h"
 
 namespace scipd::tools {
@@ -58,6 +59,9 @@ class Weights {
     };
     std::vector<Table> tables_;
 };
+
+/// One of `count`, drawn with replacement: another one for each `draw`.
+[[nodiscard]] std::size_t drawn_of(std::size_t count, const sim::Chance& chance, std::size_t draw);
 
 /// Replicates of an estimate, and the interval that they give.
 inline constexpr int replicates = 200;

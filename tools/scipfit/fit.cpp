@@ -35,14 +35,25 @@ std::optional<SmoothingFit> smoothing_of(const Standing& standing, const Lattice
 }
 
 void tell_what_one_place_cannot(const Fit& fit, Unknowns& unknown) {
-    if (fit.bias.empty())
-        unknown.push_back({"offset",
-                           "where a wall is, and what the scanner reads too far, look the same",
-                           "a length that was measured: --length STEP:STEP=METRES"});
-    unknown.push_back(
-        {"scale", "a larger room looks the same", "lengths that were measured at several ranges"});
-    unknown.push_back({"angle_offset", "a room that is turned looks the same",
-                       "a world and a pose that are known, with two walls that are not parallel"});
+    if (fit.calibration) {
+        unknown.insert(unknown.end(), fit.calibration->unknown.begin(),
+                       fit.calibration->unknown.end());
+    } else {
+        if (fit.bias.empty())
+            unknown.push_back(
+                {"offset", "where a wall is, and what the scanner reads too far, look the same",
+                 std::string("--length STEP:STEP=METRES, --world, or ") + what_tells_the_offset});
+        unknown.push_back({"scale", "a larger room looks the same",
+                           "--world, or lengths that were measured at several ranges"});
+    }
+    if (fit.face_light)
+        unknown.insert(unknown.end(), fit.face_light->unknown.begin(),
+                       fit.face_light->unknown.end());
+    const bool by_world = fit.calibration && fit.calibration->by_world;
+    unknown.push_back({"angle_offset",
+                       by_world ? "only its sum with the yaw of --pose shows"
+                                : "a room that is turned looks the same",
+                       "a pose whose yaw is known better than the scanner's"});
     if (!fit.light.by_range.empty())
         unknown.push_back({"reflectance", "only its product with the gain of the receiver shows",
                            "a target whose reflectance is known"});
@@ -60,14 +71,55 @@ void tell_what_is_missing(const Readings& readings, Fit& fit) {
     if (!readings.has_codes)
         unknown.push_back(
             {"codes", "the recording is in metres, without the scanner's codes", "scipcat record"});
-    if (fit.lattice.cells == 0 && fit.lattice.spacing_mm == 0.0)
-        unknown.push_back(
-            {"lattice", "too few distances lie close together", "more scans that stand still"});
+    if (!fit.lattice.known)
+        unknown.push_back({"lattice",
+                           "too few distances lie close together, or they are not evenly apart",
+                           "more scans that stand still"});
     if (!fit.mixed)
         unknown.push_back({"mixed_beams", "fewer than eight edges are 0.15 to 1 m deep",
                            "boxes that stand before walls"});
     if (!fit.drift) unknown.push_back({"drift", "too few beams stand still", "a longer recording"});
     tell_what_one_place_cannot(fit, unknown);
+}
+
+/// The intensity of a white wall by range, if the surfaces are as the world says.
+void take_light(const FaceLight& light, const KnownWorld& world, int wavelength_nm, LightFit& fit) {
+    double logs = 0.0;
+    double beams = 0.0;
+    for (const SurfaceLight& one : light.surfaces) {
+        const double brightness = world.brightness_of(one.surface, wavelength_nm);
+        if (!one.intensity || brightness <= 0.0) continue;
+        const double count = static_cast<double>(one.beams);
+        logs += count * std::log(one.intensity->value / brightness);
+        beams += count;
+    }
+    if (beams == 0.0 || light.by_range.empty()) return;
+    const double white = std::exp(logs / beams);
+    fit.by_range.clear();
+    for (const RangeLight& one : light.by_range)
+        fit.by_range.push_back({one.range_mm, white * one.times, static_cast<std::size_t>(beams)});
+    fit.of_what = "of a white wall, if all surfaces are as the world says";
+}
+
+/// By lengths that were measured; else by the world; else by a room that several stations share.
+void find_bias(const Standing& standing, const Given& given, Fit& fit) {
+    for (const Length& length : given.lengths)
+        fit.bias.push_back(bias_by(length, *standing.readings, standing.stations));
+    if (!given.lengths.empty()) return;
+    if (given.world != nullptr)
+        fit.calibration = calibrate_in(*given.world, standing, given.places);
+    else if (const auto room = shared_room(standing))
+        fit.calibration = calibrate_in(*room, standing);
+    if (!fit.calibration) return;
+    fit.bias = fit.calibration->curve;
+    fit.face_light = light_of_faces(*fit.calibration);
+    if (!fit.face_light) return;
+    if (given.world != nullptr)
+        take_light(*fit.face_light, *given.world, fit.kind.model->optics.receiver.wavelength_nm,
+                   fit.light);
+    for (SurfaceLight& one : fit.face_light->surfaces)
+        one.name = given.world != nullptr ? given.world->name_of(one.surface)
+                                          : "wall " + std::to_string(one.surface + 1);
 }
 
 }  // namespace
@@ -79,7 +131,7 @@ Standing look_at(const Readings& readings) {
     return standing;
 }
 
-Fit fit_scanner(const Standing& standing, const Kind& kind, const std::vector<Length>& lengths) {
+Fit fit_scanner(const Standing& standing, const Kind& kind, const Given& given) {
     const Readings& readings = *standing.readings;
     Fit fit{.kind = kind, .files = readings.files, .all_scans = readings.scans()};
     for (const Station& station : standing.stations)
@@ -98,8 +150,7 @@ Fit fit_scanner(const Standing& standing, const Kind& kind, const std::vector<Le
     fit.light = fit_light(standing);
     fit.mixed = mixed_beams(standing);
     fit.drift = relative_drift(standing);
-    for (const Length& length : lengths)
-        fit.bias.push_back(bias_by(length, readings, standing.stations));
+    find_bias(standing, given, fit);
     tell_what_is_missing(readings, fit);
     return fit;
 }

@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "tools/scipfit/calibration.h"
 #include "tools/scipfit/code_places.h"
 #include "tools/scipfit/edge_fit.h"
+#include "tools/scipfit/face_light.h"
 #include "tools/scipfit/held_out.h"
 #include "tools/scipfit/kind.h"
 #include "tools/scipfit/known_length.h"
@@ -39,6 +41,8 @@ struct Fit {
     std::optional<MixedBeams> mixed;
     std::optional<Drift> drift;
     std::vector<BiasAt> bias;
+    std::optional<Calibration> calibration;
+    std::optional<FaceLight> face_light;
     Unknowns unknown;
 };
 
@@ -46,8 +50,14 @@ struct Fit {
 /// outlive it.
 [[nodiscard]] Standing look_at(const Readings& readings);
 
-/// Throws WrongInput where a length cannot be.
-[[nodiscard]] Fit fit_scanner(const Standing& standing, const Kind& kind,
-                              const std::vector<Length>& lengths);
+/// What somebody has measured beside the recordings.
+struct Given {
+    std::vector<Length> lengths = {};
+    KnownWorld* world = nullptr;
+    std::vector<FlatPose> places = {};  ///< in that world, by station
+};
+
+/// Throws WrongInput where a length cannot be, or a world does not look so.
+[[nodiscard]] Fit fit_scanner(const Standing& standing, const Kind& kind, const Given& given);
 
 }  // namespace scipd::tools

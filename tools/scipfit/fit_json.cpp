@@ -25,7 +25,7 @@ Json as_json(const Interval& interval) {
 
 Json sigma_json(const NoiseFit& noise) {
     Json sigma{{"law", noise.model.by_intensity ? "intensity" : "range"},
-               {"s0_mm", as_json(noise.s0_mm)},
+               {"s0_mm", noise.model.by_intensity ? as_json(noise.s0_mm) : Json(nullptr)},
                {"i0", noise.model.by_intensity ? as_json(noise.i0) : Json(nullptr)},
                {"spread", rounded(noise.spread)}};
     for (std::size_t i = 0; i < noise.steps.size(); ++i)
@@ -54,12 +54,54 @@ Json codes_json(const CodeShares& codes) {
     return shares;
 }
 
-Json bias_json(const std::vector<BiasAt>& bias) {
+template <class Part, class Shown>
+Json known(const std::optional<Part>& part, const Shown& shown) {
+    return part ? Json(shown(*part)) : Json(nullptr);
+}
+
+Json places_json(const Calibration& found) {
+    Json places = Json::array();
+    for (const auto& at : found.places) {
+        places.push_back(nullptr);
+        if (at)
+            places.back() = {{"x_mm", as_json(at->x_mm)},
+                             {"y_mm", as_json(at->y_mm)},
+                             {"yaw_rad", as_json(at->yaw_rad)}};
+    }
+    return places;
+}
+
+Json bias_json(const Fit& fit) {
+    if (fit.bias.empty() && !fit.calibration) return nullptr;
     Json points = Json::array();
-    for (const BiasAt& one : bias)
-        points.push_back(
-            {{"range_m", rounded(one.range_mm / 1000.0)}, {"bias_mm", as_json(one.bias_mm)}});
-    return {{"points", points}};
+    for (const BiasAt& one : fit.bias)
+        points.push_back({{"range_m", rounded(one.range_mm / 1000.0)},
+                          {"bias_mm", as_json(one.bias_mm)},
+                          {"from", one.how}});
+    Json bias{{"points", points}};
+    if (!fit.calibration) return bias;
+    const Calibration& found = *fit.calibration;
+    bias["offset_mm"] = known(found.offset_mm, [](const Interval& one) { return as_json(one); });
+    bias["scale_mm_per_m"] =
+        known(found.scale_mm_per_m, [](const Interval& one) { return as_json(one); });
+    bias["places"] = places_json(found);
+    bias["spread_mm"] = rounded(found.spread_mm);
+    return bias;
+}
+
+Json face_light_json(const FaceLight& light) {
+    Json json{{"reference_m", rounded(light.reference_mm / 1000.0)},
+              {"surfaces", Json::array()},
+              {"incidence", Json::array()}};
+    for (const SurfaceLight& one : light.surfaces)
+        json["surfaces"].push_back(
+            {{"name", one.name},
+             {"beams", one.beams},
+             {"intensity", one.intensity ? as_json(*one.intensity) : Json(nullptr)}});
+    for (const IncidenceAt& one : light.incidence)
+        json["incidence"].push_back(
+            {{"angle_rad", one.incidence_rad}, {"share", as_json(one.share)}});
+    return json;
 }
 
 Json light_json(const LightFit& light) {
@@ -86,11 +128,6 @@ Json unknown_json(const Unknowns& unknown) {
     return list;
 }
 
-template <class Part, class Shown>
-Json known(const std::optional<Part>& part, const Shown& shown) {
-    return part ? Json(shown(*part)) : Json(nullptr);
-}
-
 }  // namespace
 
 nlohmann::ordered_json as_json(const Fit& fit) {
@@ -103,14 +140,15 @@ nlohmann::ordered_json as_json(const Fit& fit) {
         {"neighbours", known(fit.smoothing, neighbours_json)},
         {"smoothing", known(fit.smoothing, smoothing_json)},
         {"next_scan", after ? as_json(fit.smoothing->after) : Json(nullptr)},
-        {"lattice_mm", fit.lattice.cells > 0 ? Json(rounded(fit.lattice.spacing_mm)) : nullptr},
+        {"lattice_mm", fit.lattice.known ? Json(rounded(fit.lattice.spacing_mm)) : nullptr},
         {"codes", codes_json(fit.codes)},
         {"lost_share", fit.lost.readings > 0.0 ? Json(rounded(fit.lost.share)) : nullptr},
         {"intensity_noise", light_json(fit.light)},
         {"mixed_beams",
          known(fit.mixed, [](const MixedBeams& mixed) { return as_json(mixed.beams); })},
         {"drift_mm", known(fit.drift, [](const Drift& drift) { return as_json(drift.mm); })},
-        {"bias", fit.bias.empty() ? Json(nullptr) : bias_json(fit.bias)},
+        {"bias", bias_json(fit)},
+        {"surfaces", known(fit.face_light, face_light_json)},
         {"unknown", unknown_json(fit.unknown)},
         {"scans", fit.scans},
         {"beams", fit.beams},

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "tools/scipfit/fit_text.h"
 
+#include <algorithm>
 #include <ostream>
 #include <string>
 
@@ -10,6 +11,8 @@
 
 namespace scipd::tools {
 namespace {
+
+constexpr double degrees_of_radian = 57.29578;
 
 std::string shown(const Interval& interval, const char* number) {
     return formatted(number, interval.value) + " (" + formatted(number, interval.low) + " to " +
@@ -51,6 +54,13 @@ void show_smoothing(const SmoothingFit& fit, std::ostream& out) {
     line(out, "next scan", shown(fit.after, "%.3f"));
 }
 
+/// Recordings without times have a number of scans.
+void show_drift(const Drift& drift, std::ostream& out) {
+    const std::string time = drift.seconds > 0.0 ? formatted(" mm in %.0f s", drift.seconds)
+                                                 : formatted(" mm in %zu scans", drift.scans);
+    line(out, "drift", shown(drift.mm, "%.2f") + time);
+}
+
 void show_codes(const CodeShares& codes, std::ostream& out) {
     std::string text;
     for (const auto& [code, counts] : codes.codes)
@@ -69,6 +79,38 @@ void show_held_out(const HeldOut& held_out, std::ostream& out) {
          "mean negative log-likelihood " + nll +
              formatted(", one sigma %.3f, per beam %.3f", held_out.nll_constant,
                        held_out.nll_per_beam));
+}
+
+void show_calibration(const Calibration& found, std::ostream& out) {
+    if (found.but_for_slope) line(out, "", "but for a slope over the range, which is not known");
+    if (found.offset_mm) line(out, "offset", shown(*found.offset_mm, "%.1f") + " mm at range 0");
+    if (found.scale_mm_per_m)
+        line(out, "scale", shown(*found.scale_mm_per_m, "%.2f") + " mm per m");
+    for (std::size_t i = 0; i < found.places.size(); ++i) {
+        if (!found.places[i]) continue;
+        const PlaceAt& at = *found.places[i];
+        line(out, i == 0 ? "stood at" : "",
+             formatted("%.4f, %.4f, %.5f, within %.1f mm and %.1f mrad", at.x_mm.value / 1000,
+                       at.y_mm.value / 1000, at.yaw_rad.value,
+                       0.5 * std::max(at.x_mm.high - at.x_mm.low, at.y_mm.high - at.y_mm.low),
+                       500.0 * (at.yaw_rad.high - at.yaw_rad.low)));
+    }
+    line(out, "faces",
+         formatted("%zu beams at %zu stations, %.1f mm around what they would read", found.beams,
+                   found.stations, found.spread_mm));
+}
+
+void show_face_light(const FaceLight& light, std::ostream& out) {
+    for (const SurfaceLight& one : light.surfaces) {
+        if (!one.intensity) continue;
+        line(out, "surface",
+             sim::printable(one.name) + ": intensity " + shown(*one.intensity, "%.0f") +
+                 formatted(" head-on at %.2f m, %zu beams", light.reference_mm / 1000, one.beams));
+    }
+    for (const IncidenceAt& one : light.incidence)
+        line(out, "incidence",
+             shown(one.share, "%.3f") +
+                 formatted(" of that at %.0f degrees", one.incidence_rad * degrees_of_radian));
 }
 
 }  // namespace
@@ -95,12 +137,12 @@ void show(const Fit& fit, std::ostream& out) {
         line(out, "mixed beams",
              shown(fit.mixed->beams, "%.2f") +
                  formatted(" an edge, of %zu edges", fit.mixed->edges));
-    if (fit.drift)
-        line(out, "drift",
-             shown(fit.drift->mm, "%.2f") + formatted(" mm in %.0f s", fit.drift->seconds));
+    if (fit.drift) show_drift(*fit.drift, out);
     for (const BiasAt& one : fit.bias)
         line(out, "bias",
              shown(one.bias_mm, "%.1f") + formatted(" mm at %.2f m", one.range_mm / 1000));
+    if (fit.calibration) show_calibration(*fit.calibration, out);
+    if (fit.face_light) show_face_light(*fit.face_light, out);
     if (fit.held_out) show_held_out(*fit.held_out, out);
     out << "not known:\n";
     for (const Unknown& one : fit.unknown)

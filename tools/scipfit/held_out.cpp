@@ -55,7 +55,7 @@ void judge_half(const Standing& standing, const NoiseModel& kind, const sim::Sen
     const Readings& readings = *standing.readings;
     const auto samples = [&](int which) {
         return samples_of(standing.stations, standing.sums, readings.beam_rad,
-                          Weights::half(standing.sums, which));
+                          Weights::half(standing.sums, which), kind.by_intensity);
     };
     const auto learned = samples(fitted_half);
     if (learned.size() < least_beams_learned) return;
@@ -70,7 +70,7 @@ void judge_half(const Standing& standing, const NoiseModel& kind, const sim::Sen
         const StationSums& sums = standing.sums[i];
         for (std::size_t beam = 0; beam < sums.beams; ++beam) {
             const Beam& seen = station.beams[beam];
-            if (!tells_noise(seen, readings.beam_rad)) continue;
+            if (!tells_noise(seen, readings.beam_rad, kind.by_intensity)) continue;
             BeamTest test{{}, {seen.mean_mm, seen.intensity, seen.slope_mm, 0.0, 0.0}};
             for (std::size_t scan = station.first; scan < station.end; ++scan) {
                 const std::size_t chunk = (scan - station.first) * sums.chunks / station.scans();

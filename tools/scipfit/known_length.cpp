@@ -9,12 +9,16 @@
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 #include "tools/options.h"
+#include "tools/scipfit/formatted.h"
 
 namespace scipd::tools {
 namespace {
 
 /// A tape that is read by hand.
 constexpr double tape_mm = 1.0;
+/// More than any data sheet allows.
+constexpr double most_mm = 100.0;
+constexpr double most_share = 0.05;
 
 const Beam& beam_at(int step, const Readings& readings, const std::vector<Station>& stations) {
     const int index = step - readings.first_step;
@@ -28,7 +32,7 @@ const Beam& beam_at(int step, const Readings& readings, const std::vector<Statio
     return *beam;
 }
 
-std::optional<int> whole(std::string_view text) {
+std::optional<int> whole_number(std::string_view text) {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -55,12 +59,23 @@ BiasAt bias_by(const Length& length, const Readings& readings,
                          std::to_string(length.to_step) +
                          " do not tell; name two that are far apart, and the length in metres");
     const double bias_mm = (0.5 * sum * k - std::sqrt(root)) / k;
+    // No scanner errs like this: the length is of something else, or in another unit.
+    if (std::abs(bias_mm) > most_mm + most_share * target) {
+        const double seen_mm = std::sqrt(std::max(0.0, c + target * target));
+        throw WrongInput(
+            formatted("--length: steps %d and %d see %.3f m between them, not %.3f m; "
+                      "give the length in metres, and the steps that see its ends",
+                      length.from_step, length.to_step, seen_mm / 1000, length.metres));
+    }
     // dL/dx is 2 where the two look opposite ways.
     const double per_mm = std::sqrt(root) / target;
     const double noise2 = a.variance_mm2 / static_cast<double>(a.count) +
                           b.variance_mm2 / static_cast<double>(b.count);
     const double half = 1.96 * std::sqrt(tape_mm * tape_mm + noise2) / per_mm;
-    return {0.5 * sum, {bias_mm, bias_mm - half, bias_mm + half}, length};
+    return {0.5 * sum,
+            {bias_mm, bias_mm - half, bias_mm + half},
+            formatted("%.3f m from step %d to step %d", length.metres, length.from_step,
+                      length.to_step)};
 }
 
 Length parse_length_between(const std::string& text) {
@@ -69,8 +84,8 @@ Length parse_length_between(const std::string& text) {
     if (colon != text.npos && equals != text.npos && colon < equals) {
         std::string metres = text.substr(equals + 1);
         if (metres.ends_with('m')) metres.pop_back();
-        const auto from = whole(text.substr(0, colon));
-        const auto to = whole(text.substr(colon + 1, equals - colon - 1));
+        const auto from = whole_number(text.substr(0, colon));
+        const auto to = whole_number(text.substr(colon + 1, equals - colon - 1));
         const auto length = sim::parse_number(metres);
         if (from && to && length && *length > 0.0) return {*from, *to, *length};
     }

@@ -18,15 +18,16 @@ struct Length {
     double metres = 0.0;
 };
 
-/// What the scanner reads too far, at the mean range of the two ends of a known length.
+/// What the scanner reads too far at a range.
 struct BiasAt {
     double range_mm = 0.0;
     Interval bias_mm;
-    Length length;
+    std::string how;  ///< "3.2 m from step 180 to step 900"
 };
 
-/// One length tells one number: what both of its ends are read too far. Throws WrongInput where a
-/// step is not recorded or sees nothing that stands still, and where no bias makes it that long.
+/// One length tells one number: what both of its ends are read too far, at their mean range. Throws
+/// WrongInput where a step is not recorded or sees nothing that stands still, and where no bias
+/// makes it that long.
 [[nodiscard]] BiasAt bias_by(const Length& length, const Readings& readings,
                              const std::vector<Station>& stations);
 

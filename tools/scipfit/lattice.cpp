@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace scipd::tools {
@@ -19,27 +20,68 @@ struct Cell {
     double share;
 };
 
-/// The cells with so many distances around them that an empty one is no chance.
-std::vector<Cell> cells_of(const Readings& readings) {
-    constexpr double sure = 15.0;
+constexpr double sure = 15.0;
+
+/// How often each millimetre occurs.
+std::vector<double> counts_of(const Readings& readings) {
     std::vector<double> count(farthest_mm, 0.0);
     for (const float mm : readings.mm) {
         if (is_distance(mm) && mm < static_cast<float>(farthest_mm))
             count[static_cast<std::size_t>(mm)] += 1.0;
     }
+    return count;
+}
+
+/// The cells with so many distances around them that an empty one is no chance.
+std::vector<Cell> cells_of(const std::vector<double>& count) {
+    constexpr double least_side = 0.25;
     std::vector<Cell> cells;
-    double sum = 0.0;
-    for (std::size_t mm = 0; mm < 2 * around; ++mm)
-        sum += count[mm];
-    for (std::size_t mm = around; mm + around < farthest_mm; ++mm) {
-        sum += count[mm + around];
-        const double mean = sum / (2 * around + 1);
-        // At the foot of a wall's distances there is nothing to either side.
-        const double near = count[mm - 1] + count[mm + 1] + count[mm - 2] + count[mm + 2];
-        if (mean > sure && near > mean) cells.push_back({mm, count[mm] / mean});
-        sum -= count[mm - around];
+    double below = 0.0;
+    double above = 0.0;
+    for (std::size_t i = 0; i < around; ++i) {
+        below += count[i];
+        above += count[around + 1 + i];
+    }
+    for (std::size_t mm = around; mm + around + 1 < farthest_mm; ++mm) {
+        const double mean = (below + count[mm] + above) / (2 * around + 1);
+        // At the foot of a wall's distances there is nothing to one side.
+        if (mean > sure && std::min(below, above) > least_side * around * mean)
+            cells.push_back({mm, count[mm] / mean});
+        below += count[mm] - count[mm - around];
+        above += count[mm + around + 1] - count[mm + 1];
     }
     return cells;
+}
+
+/// The cells around multiples of so many millimetres that occur often, as those beside them do.
+Lattice of_whole_mm(std::size_t spacing_mm, const std::vector<double>& count) {
+    Lattice lattice{.spacing_mm = static_cast<double>(spacing_mm)};
+    for (std::size_t mm = spacing_mm; mm + spacing_mm < farthest_mm; mm += spacing_mm) {
+        if (std::min({count[mm - spacing_mm], count[mm], count[mm + spacing_mm]}) < sure) continue;
+        lattice.cells += spacing_mm;
+        lattice.missing += static_cast<std::size_t>(
+            std::count(count.begin() + static_cast<std::ptrdiff_t>(mm),
+                       count.begin() + static_cast<std::ptrdiff_t>(mm + spacing_mm), 0.0));
+    }
+    return lattice;
+}
+
+/// The most millimetres of which nearly all distances are multiples.
+Lattice whole_lattice(const std::vector<double>& count) {
+    constexpr double nearly = 0.999;
+    constexpr std::size_t least_places = 12;
+    constexpr std::size_t largest_mm = 100;
+    const double all = std::accumulate(count.begin(), count.end(), 0.0);
+    for (std::size_t spacing_mm = largest_mm; spacing_mm > 1; --spacing_mm) {
+        double on = 0.0;
+        for (std::size_t mm = 0; mm < farthest_mm; mm += spacing_mm)
+            on += count[mm];
+        if (on < nearly * all) continue;
+        Lattice lattice = of_whole_mm(spacing_mm, count);
+        lattice.known = lattice.cells >= least_places * spacing_mm;
+        if (lattice.known) return lattice;
+    }
+    return {};
 }
 
 /// The cells by their millimetre, from the first to the last; none: below 0.
@@ -95,18 +137,20 @@ Lattice lattice_of(const Readings& readings) {
     constexpr double most_uneven = 0.15;
     constexpr std::size_t least_cells = 50;
     if (!readings.whole_mm) return {};
-    const std::vector<Cell> cells = cells_of(readings);
+    const std::vector<double> count = counts_of(readings);
+    if (const Lattice whole = whole_lattice(count); whole.known) return whole;
+    const std::vector<Cell> cells = cells_of(count);
     Lattice lattice{.cells = cells.size()};
     if (cells.size() < least_cells) return lattice;
     lattice.missing = static_cast<std::size_t>(
         std::ranges::count_if(cells, [](const Cell& cell) { return cell.share < 0.02; }));
     const double missing = static_cast<double>(lattice.missing) / static_cast<double>(cells.size());
-    if (missing < least_missing) return lattice;
+    lattice.known = missing < least_missing;
     // A lattice of q millimetres leaves out 1 - 1/q of them. Larger ones look like walls.
     constexpr double off = 0.07;
     constexpr double largest_mm = 8.0;
     const double expected_mm = 1.0 / (1.0 - missing);
-    if (expected_mm > largest_mm) return lattice;
+    if (lattice.known || expected_mm > largest_mm) return lattice;
     const std::vector<double> row = row_of(cells);
     const auto first_mm = static_cast<double>(cells.front().mm);
     double best = most_uneven;
@@ -116,6 +160,7 @@ Lattice lattice_of(const Readings& readings) {
         if (uneven >= best) continue;
         best = uneven;
         lattice.spacing_mm = spacing_mm;
+        lattice.known = true;
     }
     return lattice;
 }

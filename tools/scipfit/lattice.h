@@ -11,7 +11,8 @@
 namespace scipd::tools {
 
 struct Lattice {
-    double spacing_mm = 0.0;  ///< 0: none was found
+    bool known = false;       ///< whether there is one, and which
+    double spacing_mm = 0.0;  ///< 0: any millimetre occurs
     std::size_t cells = 0;    ///< millimetres around which there are many distances
     std::size_t missing = 0;  ///< of them those that never occur
 

@@ -71,8 +71,8 @@ class Solver {
         if (with_light && model.i0 > 0.0) log_i0_ = std::log(model.i0);
     }
 
-    /// Beams that are not as the law says count less.
-    void solve(double spread) {
+    /// Beams that are not as the law says count less. The cost that is left.
+    double solve(double spread) {
         ceres::Problem problem;
         add_residuals(spread, problem);
         ceres::Solver::Options options;
@@ -81,6 +81,7 @@ class Solver {
         options.max_num_iterations = 50;
         ceres::Solver::Summary summary;
         ceres::Solve(options, &problem, &summary);
+        return summary.final_cost;
     }
 
     /// What the residuals have beyond chance, from the middle half of them.
@@ -159,19 +160,20 @@ double NoiseModel::told_mm(const LawSample& sample) const {
                 rounding_mm2);
 }
 
-bool tells_noise(const Beam& beam, double beam_rad) {
+bool tells_noise(const Beam& beam, double beam_rad, bool by_intensity) {
+    if (by_intensity && !(beam.intensity > 0.0)) return false;
     return beam.inside && std::abs(beam.slope_mm) < steepest * beam.mean_mm * beam_rad;
 }
 
 std::vector<LawSample> samples_of(const std::vector<Station>& stations,
                                   const std::vector<StationSums>& sums, double beam_rad,
-                                  const Weights& weights) {
+                                  const Weights& weights, bool by_intensity) {
     constexpr double least_freedom = 8.0;
     std::vector<LawSample> samples;
     for (std::size_t i = 0; i < stations.size(); ++i) {
         for (std::size_t beam = 0; beam < sums[i].beams; ++beam) {
             const Beam& seen = stations[i].beams[beam];
-            if (!tells_noise(seen, beam_rad)) continue;
+            if (!tells_noise(seen, beam_rad, by_intensity)) continue;
             double count = 0.0;
             double squares = 0.0;
             for (std::size_t chunk = 0; chunk < sums[i].chunks; ++chunk) {
@@ -193,12 +195,12 @@ std::vector<LawSample> samples_of(const std::vector<Station>& stations,
 LawFit fit_law(const std::vector<LawSample>& samples, const NoiseModel& start, bool with_light) {
     if (samples.empty()) return {};
     Solver solver(samples, start, with_light);
-    solver.solve(0.0);
+    const double cost = solver.solve(0.0);
     const double spread = solver.spread();
     solver.solve(spread);
     // Half of the beams have more noise than the middle one: what is told is their mean variance.
     return {solver.s0_mm() * std::exp(0.25 * spread * spread), solver.i0(), spread,
-            solver.jacobian(spread)};
+            solver.jacobian(spread), cost};
 }
 
 }  // namespace scipd::tools

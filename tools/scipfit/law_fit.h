@@ -41,19 +41,22 @@ struct NoiseModel {
     [[nodiscard]] double told_mm(const LawSample& sample) const;
 };
 
-/// Whether a beam tells of noise: inside a face that is not too steep.
-[[nodiscard]] bool tells_noise(const Beam& beam, double beam_rad);
+/// Whether a beam tells of noise: inside a face that is not too steep, and where noise goes by the
+/// intensity, one that has one: of several recordings some may have none.
+[[nodiscard]] bool tells_noise(const Beam& beam, double beam_rad, bool by_intensity);
 
 /// Those beams. `weights` choose the blocks.
 [[nodiscard]] std::vector<LawSample> samples_of(const std::vector<Station>& stations,
                                                 const std::vector<StationSums>& sums,
-                                                double beam_rad, const Weights& weights);
+                                                double beam_rad, const Weights& weights,
+                                                bool by_intensity);
 
 struct LawFit {
     double s0_mm = 0.0;
     double i0 = 0.0;
     double spread = 0.0;  ///< of the logarithms of variances, beyond what chance leaves
     Jacobian jacobian;    ///< by the logarithms of s0 and i0
+    double cost = 0.0;    ///< half the sum of the squares that are left, in units of chance
 };
 
 /// Fits to the samples what `start` says of rounding and medians. `with_light`: i0 as well.

@@ -78,7 +78,9 @@ LightFit fit_light(const Standing& standing) {
     std::vector<BeamLight> lights;
     for (const Station& station : standing.stations) {
         for (std::size_t step = 0; step < station.beams.size(); ++step) {
-            if (station.beams[step].inside) lights.push_back(light_of(standing, station, step));
+            const Beam& beam = station.beams[step];
+            if (beam.inside && beam.intensity > 0.0)
+                lights.push_back(light_of(standing, station, step));
         }
     }
     std::ranges::sort(lights, {}, &BeamLight::intensity);

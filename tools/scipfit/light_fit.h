@@ -5,6 +5,7 @@
 // what the receiver makes of it are known as their product alone. Values; one thread.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tools/scipfit/noise_fit.h"
@@ -24,9 +25,9 @@ struct LightAt {
 };
 
 struct LightFit {
-    std::vector<LightNoise> noise;  ///< by growing intensity
-    std::vector<LightAt> by_range;  ///< by growing range
-    bool walls_told_apart = false;  ///< by_range is that of a bright wall among those of a room
+    std::vector<LightNoise> noise;                       ///< by growing intensity
+    std::vector<LightAt> by_range;                       ///< by growing range
+    std::string of_what = "as if all walls were white";  ///< by_range
 };
 
 /// Empty where the recording has no intensities.

@@ -49,15 +49,20 @@ void tell_extent(NoiseFit& fit) {
     fit.brightest = std::ranges::max_element(fit.samples, {}, light)->intensity;
 }
 
+std::vector<LawSample> samples_in(const Standing& standing, const Weights& weights,
+                                  bool by_intensity) {
+    return samples_of(standing.stations, standing.sums, standing.readings->beam_rad, weights,
+                      by_intensity);
+}
+
 void find_intervals(const Standing& standing, NoiseFit& fit) {
     std::vector<double> s0;
     std::vector<double> i0;
     std::vector<std::vector<double>> steps(fit.model.steps.size());
     for (int i = 0; i < replicates; ++i) {
         const Weights weights = Weights::drawn(standing.sums, static_cast<unsigned>(i));
-        const NoiseModel one = fit_model(
-            samples_of(standing.stations, standing.sums, standing.readings->beam_rad, weights),
-            fit.model);
+        const NoiseModel one =
+            fit_model(samples_in(standing, weights, fit.model.by_intensity), fit.model);
         s0.push_back(one.s0_mm);
         i0.push_back(one.i0);
         for (std::size_t step = 0; step < steps.size(); ++step)
@@ -73,11 +78,50 @@ std::string shown_number(double value) {
     return std::to_string(std::lround(value));
 }
 
+/// With the light of walls that are met head-on.
+std::vector<LawSample> head_on(std::vector<LawSample> samples, double beam_rad) {
+    for (LawSample& sample : samples)
+        sample.intensity *= std::hypot(1.0, sample.slope_mm / (sample.range_mm * beam_rad));
+    return samples;
+}
+
+/// Whether slanted walls are dimmer and yet not noisier: then noise goes by the range, as that of
+/// scipd does at `accuracy: sensor`.
+bool goes_by_range(const LawFit& law, const std::vector<LawSample>& samples,
+                   const NoiseModel& start, double beam_rad) {
+    constexpr double by_chance = 10.0;
+    constexpr double share = 0.02;
+    const LawFit other = fit_law(head_on(samples, beam_rad), start, true);
+    return law.cost - other.cost > std::max(by_chance, share * law.cost);
+}
+
+/// Whether i0 is known to a quarter of it.
+bool is_sure(const LawFit& law) {
+    constexpr double too_large = 0.25;  // of its logarithm
+    Jacobian jacobian = law.jacobian;
+    for (std::size_t i = 1; i < jacobian.values.size(); i += jacobian.columns)
+        jacobian.values[i] *= too_large;
+    return known_parameters(jacobian)[1];
+}
+
 /// Whether the intensities tell i0; if not, why.
-bool light_tells(const std::vector<LawSample>& samples, const NoiseModel& start,
+bool light_tells(const std::vector<LawSample>& samples, const NoiseModel& start, double beam_rad,
                  Unknowns& unknown) {
+    if (samples.size() < least_beams) {
+        unknown.push_back({"i0",
+                           std::to_string(samples.size()) +
+                               " beams before walls have an intensity, and " +
+                               std::to_string(least_beams) + " are needed",
+                           "scipcat record with --intensity"});
+        return false;
+    }
     const LawFit law = fit_law(samples, start, true);
-    if (known_parameters(law.jacobian)[1]) return true;
+    if (goes_by_range(law, samples, start, beam_rad)) {
+        unknown.push_back({"i0", "the noise goes by the range, whatever the intensity",
+                           "a scanner whose noise goes by the light that comes back"});
+        return false;
+    }
+    if (is_sure(law)) return true;
     const auto light = [](const LawSample& sample) { return sample.intensity; };
     unknown.push_back({"i0",
                        "the noise does not depend on the intensity where that is " +
@@ -131,16 +175,18 @@ NoiseModel fit_model(const std::vector<LawSample>& samples, NoiseModel kind) {
 std::optional<NoiseFit> fit_noise(const Standing& standing, const NoiseModel& start,
                                   Unknowns& unknown) {
     NoiseFit fit;
-    fit.samples = samples_of(standing.stations, standing.sums, standing.readings->beam_rad,
-                             Weights(standing.sums));
+    fit.samples = samples_in(standing, Weights(standing.sums), false);
     if (auto why = why_no_noise(standing, fit.samples, start.rounding_mm2)) {
         unknown.push_back(std::move(*why));
         return std::nullopt;
     }
     fit.model = start;
-    fit.model.by_intensity =
-        standing.readings->has_intensities && light_tells(fit.samples, start, unknown);
-    if (!fit.model.by_intensity) {
+    auto lit = samples_in(standing, Weights(standing.sums), true);
+    fit.model.by_intensity = standing.readings->has_intensities &&
+                             light_tells(lit, start, standing.readings->beam_rad, unknown);
+    if (fit.model.by_intensity) {
+        fit.samples = std::move(lit);
+    } else {
         for (const double from_mm : steps_for(fit.samples))
             fit.model.steps.push_back({from_mm, 0.0});
     }

@@ -2,8 +2,12 @@
 // Copyright The scipd authors
 #include "tools/scipfit/profile_yaml.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <ostream>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -82,7 +86,7 @@ class Writer {
 
     void write_lattice() {
         const Lattice& lattice = fit_.lattice;
-        if (lattice.cells == 0) return line("# lattice_m", "model: the recording does not tell");
+        if (!lattice.known) return line("# lattice_m", "model: the recording does not tell");
         line(formatted("lattice_m: %.6g", lattice.spacing_mm / 1000),
              measured(formatted("%zu of %zu mm never occur", lattice.missing, lattice.cells)));
     }
@@ -99,18 +103,45 @@ class Writer {
         const std::uint32_t usual = fit_.codes.usual();
         const std::string of = formatted("%.0f readings without a distance", fit_.codes.all.all());
         line(formatted("codes: {nothing: %u, too_far: %u}", usual, usual), measured(of));
-        bool first = true;
+        const std::vector<RareCodeAt> rare = rare_codes(usual);
+        if (!rare.empty()) out_ << "    rare_codes:\n";
+        for (const auto& [code, times, inside, beside, edge, alone] : rare)
+            line(formatted("  - {code: %u, inside: %.3g, beside: %.3g, edge: %.3g, alone: %s}",
+                           code, inside, beside, edge, alone ? "true" : "false"),
+                 measured(formatted("%.0f times", times)));
+    }
+
+    struct RareCodeAt {
+        std::uint32_t code;
+        double times;
+        double inside, beside, edge;  ///< shares
+        bool alone;
+    };
+
+    /// The most frequent ones, as far as a configuration takes them: their shares leave some for
+    /// the usual code, also where a scanner that drives saw hardly anything else at edges.
+    [[nodiscard]] std::vector<RareCodeAt> rare_codes(std::uint32_t usual) const {
+        constexpr std::size_t most_codes = 64;
+        constexpr double most_share = 0.95;
+        constexpr double apart = 4.0;  // one step in four
+        std::vector<RareCodeAt> rare;
         for (const auto& [code, counts] : fit_.codes.codes) {
             if (code == usual || !is_rare_code(code, counts)) continue;
-            if (first) out_ << "    rare_codes:\n";
-            first = false;
-            line(formatted("  - {code: %u, inside: %.2g, beside: %.2g, edge: %.2g, alone: %s}",
-                           code, share(counts.inside, fit_.codes.all.inside),
-                           share(counts.beside, fit_.codes.all.beside),
-                           share(counts.edge, edges_without(usual)),
-                           alone(counts) ? "true" : "false"),
-                 measured(formatted("%.0f times", counts.all())));
+            rare.push_back({code, counts.all(), share(counts.inside, fit_.codes.all.inside),
+                            share(counts.beside, fit_.codes.all.beside),
+                            share(counts.edge, edges_without(usual)), alone(counts)});
         }
+        std::ranges::stable_sort(rare, std::greater{}, &RareCodeAt::times);
+        rare.resize(std::min(rare.size(), most_codes));
+        for (double RareCodeAt::*const member :
+             {&RareCodeAt::inside, &RareCodeAt::beside, &RareCodeAt::edge}) {
+            double all = 0.0;
+            for (const RareCodeAt& one : rare)
+                all += one.*member * (one.alone ? apart : 1.0);
+            for (RareCodeAt& one : rare)
+                one.*member *= std::min(1.0, most_share / std::max(all, most_share));
+        }
+        return rare;
     }
 
     [[nodiscard]] bool is_rare_code(std::uint32_t code, const CodeCounts& counts) const {
@@ -140,10 +171,7 @@ class Writer {
         for (const LightAt& one : fit_.light.by_range)
             line(formatted("    - {range_m: %.3f, intensity: %.0f}", one.range_mm / 1000,
                            one.intensity),
-                 measured(formatted(fit_.light.walls_told_apart
-                                        ? "%zu beams, of walls that are bright among these"
-                                        : "%zu beams, as if all walls were white",
-                                    one.beams)));
+                 measured(formatted("%zu beams, %s", one.beams, fit_.light.of_what.c_str())));
         out_ << "      intensity_noise:\n";
         for (const LightNoise& one : fit_.light.noise)
             line(formatted("    - {intensity: %.1f, share: %.4f}", one.intensity, one.share.value),
@@ -152,15 +180,15 @@ class Writer {
     }
 
     void write_bias() {
-        if (fit_.bias.empty())
-            return line("# bias", "unknown: the recording has no length that was measured");
+        if (fit_.bias.empty()) return line("# bias", "unknown: nothing tells the true ranges");
         out_ << "    bias:\n";
         for (const BiasAt& one : fit_.bias)
             line(formatted("  - {range_m: %.3f, bias_m: %.5f}", one.range_mm / 1000,
                            one.bias_mm.value / 1000),
-                 measured(formatted("%.3f m from step %d to step %d, %.1f to %.1f mm",
-                                    one.length.metres, one.length.from_step, one.length.to_step,
-                                    one.bias_mm.low, one.bias_mm.high)));
+                 measured(formatted("%s, %.1f to %.1f mm", one.how.c_str(), one.bias_mm.low,
+                                    one.bias_mm.high)));
+        out_ << formatted("    # assumed: nearer than %.1f m and beyond %.1f m as there\n",
+                          fit_.bias.front().range_mm / 1000, fit_.bias.back().range_mm / 1000);
     }
 
     const Fit& fit_;
@@ -168,26 +196,39 @@ class Writer {
     std::string files_;
 };
 
+void write_pose(const FlatPose& place, std::ostream& out) {
+    out << formatted("    pose: {xyz: [%.4f, %.4f, %.4f], rpy: [0, 0, %.5f]}  # --pose, refined\n",
+                     place.x_mm / 1000, place.y_mm / 1000, place.z_mm / 1000, place.yaw_rad);
+}
+
 }  // namespace
 
-void write_profile(const Fit& fit, const std::string& scene, std::ostream& out) {
+void write_profile(const Fit& fit, const Surroundings& surroundings, std::ostream& out) {
     out << "# Made by scipfit from " << sim::printable(fit.files) << ": " << fit.scans
         << " scans that stand still, of " << fit.all_scans << ".\n"
         << "# Run it: scipd --config FILE. Or copy `models` into a configuration of your own.\n";
     for (const Unknown& one : fit.unknown)
         out << "# unknown: " << one.parameter << ": " << one.why
             << ". Would tell: " << one.would_tell << ".\n";
+    const std::string& scene = surroundings.scene;
     if (!scene.empty()) out << "scene: " << nlohmann::json(scene).dump() << '\n';
     out << "models:\n  fitted:\n";
     Writer(fit, out).write_model();
-    out << "robots:\n  robot:\n    sensors:\n      scanner:\n"
+    out << "robots:\n  robot:\n";
+    if (surroundings.place) write_pose(*surroundings.place, out);
+    out << "    sensors:\n      scanner:\n"
         << "        model: fitted\n"
         << "        tcp: 127.0.0.1:10940\n"
         << "        accuracy: " << (fit.light.noise.empty() ? "sensor" : "material") << '\n';
     if (scene.empty()) return;
-    out << "        # assumed: what it reads too far is in the room, which is as it sees it\n"
-        << "        bias: none\n";
-    if (!fit.light.noise.empty()) out << "        profile: {light: {walk_m: 0, saturation_m: 0}}\n";
+    if (!surroundings.place)
+        out << "        # assumed: what it reads too far is in the room, which is as it sees it\n"
+            << "        bias: none\n";
+    if (!fit.light.noise.empty()) {
+        if (surroundings.place)
+            out << "        # assumed: what it reads too far does not depend on the light\n";
+        out << "        profile: {light: {walk_m: 0, saturation_m: 0}}\n";
+    }
 }
 
 }  // namespace scipd::tools

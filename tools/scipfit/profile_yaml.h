@@ -6,14 +6,21 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "tools/scipfit/fit.h"
 
 namespace scipd::tools {
 
-/// `scene`: the room that was made of the same recording, as the configuration names it; empty:
-/// scipd's own world.
-void write_profile(const Fit& fit, const std::string& scene, std::ostream& out);
+/// What the scanner of a profile looks at.
+struct Surroundings {
+    std::string scene = {};  ///< as the configuration names it; empty: scipd's own world
+    /// Where the scanner stands in a world; nothing: the scene is a room that was made of the same
+    /// recording.
+    std::optional<FlatPose> place = std::nullopt;
+};
+
+void write_profile(const Fit& fit, const Surroundings& surroundings, std::ostream& out);
 
 }  // namespace scipd::tools

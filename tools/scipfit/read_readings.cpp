@@ -5,14 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iostream>
-#include <optional>
-#include <variant>
 
 #include "daemon/recording/decoded_recording.h"
 #include "tools/options.h"
-#include "tools/safe_output.h"
-#include "tools/terminal.h"
+#include "tools/scipfit/chosen_stream.h"
 
 namespace scipd::tools {
 namespace {
@@ -34,6 +30,11 @@ float as_mm(double range, sim::RangeUnit unit) {
     return mm >= 0.0 && mm <= most_mm ? static_cast<float>(mm) : no_value;
 }
 
+/// 0: none.
+float as_light(double intensity) {
+    return std::isfinite(intensity) && intensity > 0.0 ? static_cast<float>(intensity) : 0.0F;
+}
+
 /// Adds scans to readings, one after the other.
 class Reader {
   public:
@@ -50,7 +51,7 @@ class Reader {
             add(scan.ranges_of(step), scan.intensities_of(step), scan.unit);
         if (came_twice(scan, at)) {
             readings_.mm.resize(at);
-            readings_.intensity.resize(readings_.has_intensities ? at : 0);
+            readings_.intensity.resize(at);
             ++readings_.doubles;
         }
         stamped_ = scan.stamp_ms.has_value();
@@ -68,7 +69,6 @@ class Reader {
     void begin(const RecordedScan& scan) {
         readings_.steps = scan.steps();
         readings_.has_codes = scan.unit == sim::RangeUnit::millimetres;
-        readings_.has_intensities = !scan.intensities.empty();
         readings_.first_step = scan.directions.first_step.value_or(0);
         readings_.first_rad = scan.directions.first_rad.value_or(0.0);
         readings_.beam_rad = scan.directions.increment_rad.value_or(0.0);
@@ -78,9 +78,7 @@ class Reader {
              sim::RangeUnit unit) {
         const std::size_t echo = told_echo(intensities);
         readings_.mm.push_back(ranges.empty() ? no_value : as_mm(ranges[echo], unit));
-        if (!readings_.has_intensities) return;
-        readings_.intensity.push_back(intensities.empty() ? 0.0F
-                                                          : static_cast<float>(intensities[echo]));
+        readings_.intensity.push_back(intensities.empty() ? 0.0F : as_light(intensities[echo]));
     }
 
     /// A client that polls faster than the mirror turns gets a scan again. Two scans of a real
@@ -98,40 +96,6 @@ class Reader {
     bool stamped_ = false;  ///< the scan before has a stamp, which is:
     std::uint32_t stamp_ms_ = 0;
 };
-
-class Progress {
-  public:
-    void tell(std::size_t scans) {
-        constexpr std::size_t often = 500;
-        if (!on_terminal_ || scans % often != 0) return;
-        shown_ = true;
-        SafeOutput::write_as_is(std::cerr, "\r" + std::to_string(scans) + " scans read");
-        std::cerr.flush();
-    }
-    ~Progress() {
-        if (shown_) SafeOutput::write_as_is(std::cerr, "\r\x1b[K");
-    }
-    Progress() = default;
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-
-  private:
-    bool on_terminal_ = stderr_is_terminal();
-    bool shown_ = false;
-};
-
-bool wanted(const sim::Recording& recording, std::size_t index, const std::string& stream,
-            std::optional<std::size_t>& chosen) {
-    if (!chosen && (stream.empty() || recording.streams()[index].name == stream)) chosen = index;
-    return chosen == index;
-}
-
-std::string names_of(const sim::Recording& recording) {
-    std::string names;
-    for (const sim::RecordedStream& stream : recording.streams())
-        names += (names.empty() ? "" : ", ") + stream.name;
-    return names;
-}
 
 void take_identity(const sim::ScannerIdentity& identity, const std::string& name,
                    Readings& readings) {
@@ -164,35 +128,21 @@ float whole(float mm) {
 
 void add_scans(sim::Recording& recording, const std::string& name, const std::string& stream,
                Readings& readings) {
+    readings.intensity.resize(readings.mm.size(), 0.0F);  // recordings before may have none
     Reader reader(name, readings);
-    Progress progress;
-    std::optional<std::size_t> chosen;
     std::vector<double> host_s;
-    for (;;) {
-        const auto item = recording.next();
-        if (!item) throw WrongInput(item.error().why);
-        if (!*item) break;
-        if (!wanted(recording, (*item)->stream, stream, chosen)) continue;
-        const auto& scan = std::get<RecordedScan>((*item)->what);
-        reader.add(scan);
-        if (scan.host_time)
-            host_s.push_back(
-                std::chrono::duration<double>(scan.host_time->time_since_epoch()).count());
-        progress.tell(readings.scans());
-    }
-    if (!chosen && !stream.empty())
-        throw WrongInput(name + ": has no scans of \"" + stream +
-                         "\"; there are: " + names_of(recording));
-    if (!chosen) throw WrongInput(name + ": holds no scans");
-    if (stream.empty() && recording.streams().size() > 1)
-        std::cerr << name << ": has several scanners, " << names_of(recording)
-                  << "; --stream names "
-                  << "one, and the first is taken\n";
-    take_identity(recording.streams()[*chosen].identity, name, readings);
+    const std::size_t chosen =
+        for_each_scan(recording, name, stream, [&](const auto& scan, const auto&) {
+            reader.add(scan);
+            if (scan.host_time)
+                host_s.push_back(
+                    std::chrono::duration<double>(scan.host_time->time_since_epoch()).count());
+        });
+    take_identity(recording.streams()[chosen].identity, name, readings);
     reader.finish(host_s);
     readings.files +=
         (readings.files.empty() ? "" : ", ") + std::filesystem::path(name).filename().string();
-    readings.has_intensities = readings.has_intensities && has_light(readings);
+    readings.has_intensities = has_light(readings);
     if (!readings.has_intensities) readings.intensity.clear();
     readings.whole_mm = in_whole_mm(readings);
     if (readings.whole_mm) std::ranges::transform(readings.mm, readings.mm.begin(), whole);

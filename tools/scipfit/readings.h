@@ -31,7 +31,7 @@ struct Readings {
     std::vector<std::size_t> begins = {0};
     /// Scan after scan. A distance in mm; or none (see code_of).
     std::vector<float> mm;
-    std::vector<float> intensity;  ///< as many, or empty
+    std::vector<float> intensity;  ///< as many, 0 where there is none; or empty
 
     [[nodiscard]] std::size_t scans() const { return steps == 0 ? 0 : mm.size() / steps; }
     [[nodiscard]] float at(std::size_t scan, std::size_t step) const {

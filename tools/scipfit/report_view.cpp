@@ -71,7 +71,7 @@ void look_at_beams(const Standing& standing, const Fit& fit, Gathered& gathered)
     for (const Station& station : standing.stations) {
         for (std::size_t step = 0; step < station.beams.size(); ++step) {
             const Beam& beam = station.beams[step];
-            if (!tells_noise(beam, readings.beam_rad)) continue;
+            if (!tells_noise(beam, readings.beam_rad, fit.noise->model.by_intensity)) continue;
             const LawSample sample{beam.mean_mm, beam.intensity, beam.slope_mm, 0.0, 0.0};
             const double law_mm = fit.noise->model.told_mm(sample);
             gathered.view.beams.push_back({readings.first_step + static_cast<int>(step),

@@ -6,12 +6,18 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "sim/export/map_values.h"
+#include "sim/export/ros_map_files.h"
 #include "tools/options.h"
 #include "tools/output_file.h"
+#include "tools/scipfit/drive.h"
+#include "tools/scipfit/drive_map.h"
 #include "tools/scipfit/fit.h"
+#include "tools/scipfit/formatted.h"
 #include "tools/scipfit/read_readings.h"
 #include "tools/scipfit/room_report.h"
 #include "tools/scipfit/room_sdf.h"
@@ -24,31 +30,60 @@ struct RoomOptions {
     std::string stream;
     std::string model;
     std::string output;
+    std::string resolution = "0.05";
     bool json = false;
 };
+
+void tell(const auto& made, bool json) {
+    std::cout << (json ? as_json(made).dump(2) + '\n' : as_text(made));
+}
+
+void make_map(const RoomOptions& options) {
+    const auto resolution_m = sim::parse_cell_size(options.resolution);
+    if (!resolution_m) throw WrongInput("--resolution " + resolution_m.error().why);
+    const DriveMap made = map_of(read_drive(options.file, options.stream), *resolution_m);
+    const auto written = sim::write_ros_map(made.map, options.output);
+    if (!written) throw std::runtime_error(written.error().why);
+    tell(made, options.json);
+}
 
 void make_room(const RoomOptions& options) {
     Readings readings = read_readings(std::vector{options.file}, options.stream);
     const Kind kind = kind_of(readings, options.model);
+    if (!kind.known && !readings.identity.max_range_m)
+        std::cerr << readings.files
+                  << formatted(
+                         ": does not say what scanner it is of: what is beyond %g m, as far as the "
+                         "nearest model sees, is left out; --model names another\n",
+                         kind.model->profile.dmax_mm * 1e-3);
     complete(*kind.model, readings);
     const Room room = room_of(look_at(readings));
     write_to(options.output,
              [&](std::ostream& out) { write_room(room, readings, *kind.model, out); });
-    std::cout << (options.json ? as_json(room).dump(2) + '\n' : as_text(room));
+    tell(room, options.json);
 }
 
 }  // namespace
 
 void add_room_command(CLI::App& program) {
     auto* const command =
-        program.add_subcommand("room", "make a world of the walls around a standing scanner");
+        program.add_subcommand("room", "make a world of what a standing or driving scanner sees");
     const auto options = std::make_shared<RoomOptions>();
-    command->add_option("RECORDING", options->file, "a recording of a scanner that stands still")
+    command
+        ->add_option("RECORDING", options->file,
+                     "of a scanner that stands still; or for a map, of a drive with its poses")
         ->required();
-    command->add_option("-o,--output", options->output, "the world; the scanner is its origin")
+    command
+        ->add_option("-o,--output", options->output,
+                     "the walls around a scanner that stands, or a ROS map of a drive; the first "
+                     "scan is at the origin")
         ->required()
-        ->type_name("FILE.sdf")
+        ->type_name("FILE.sdf|FILE.yaml")
         ->check(can_be_written);
+    command
+        ->add_option("--resolution", options->resolution,
+                     "the side of a map's cell in m; default: 0.05")
+        ->type_name("M");
     command->add_option("--stream", options->stream,
                         "which scanner, of a recording of several; default: the first");
     command
@@ -56,10 +91,16 @@ void add_room_command(CLI::App& program) {
                      "what the scanner is; default: what the recording says")
         ->type_name("MODEL");
     command->add_flag("--json", options->json, "tell how well it fits as a JSON document");
-    command->callback([options] { make_room(*options); });
+    command->callback([options] {
+        const auto ending = std::filesystem::path(options->output).extension();
+        if (ending == ".yml" || ending == ".pgm")
+            throw WrongInput(options->output + ": the name of a map must end with .yaml");
+        ending == ".yaml" ? make_map(*options) : make_room(*options);
+    });
     command->footer(
-        "Example:\n"
+        "Examples:\n"
         "  scipfit room desk.mcap -o room.sdf\n"
+        "  scipfit room carmen.log -o hall.yaml      # and hall.pgm\n"
         "  scipd --scene room.sdf --pose 0,0,0");
 }
 

@@ -20,11 +20,11 @@ struct Run {
     std::size_t beams = 0;
 };
 
-Run longest_face(const std::vector<Beam>& beams, double beam_rad) {
+Run longest_face(const std::vector<Beam>& beams, double beam_rad, bool by_intensity) {
     Run longest;
     Run run;
     for (std::size_t step = 0; step < beams.size(); ++step) {
-        if (!beams[step].inside || !tells_noise(beams[step], beam_rad)) {
+        if (!tells_noise(beams[step], beam_rad, by_intensity)) {
             run = {step + 1, 0};
             continue;
         }
@@ -70,7 +70,7 @@ std::optional<NoisePiece> noise_piece(const Standing& standing, const Fit& fit) 
     if (!fit.noise || standing.stations.empty()) return std::nullopt;
     const Readings& readings = *standing.readings;
     const Station& station = standing.stations.front();
-    const Run face = longest_face(station.beams, readings.beam_rad);
+    const Run face = longest_face(station.beams, readings.beam_rad, fit.noise->model.by_intensity);
     if (face.beams < least_beams) return std::nullopt;
     NoisePiece piece{.first_step = readings.first_step + static_cast<int>(face.first),
                      .beams = face.beams,

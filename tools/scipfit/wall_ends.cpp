@@ -26,11 +26,16 @@ std::optional<Point> meeting_of(const Wall& a, const Wall& b) {
         (b.distance_m * std::cos(a.normal_rad) - a.distance_m * std::cos(b.normal_rad)) / cross};
 }
 
+/// So far off a corner the middles of beams may lie that look into it.
+double room_of_corner_m(const Point& corner, double beam_rad) {
+    return 0.03 + 4.0 * beam_rad * std::hypot(corner.x_m, corner.y_m);
+}
+
 /// Whether the two meet where their beams do; then they end there.
 bool join_corner(Wall& a, Wall& b, double beam_rad) {
     const auto corner = meeting_of(a, b);
     if (!corner) return false;
-    const double room_m = 0.03 + 4.0 * beam_rad * std::hypot(corner->x_m, corner->y_m);
+    const double room_m = room_of_corner_m(*corner, beam_rad);
     const auto near = [&](const Point& end) {
         return std::hypot(end.x_m - corner->x_m, end.y_m - corner->y_m) < 3.0 * room_m;
     };
@@ -75,16 +80,43 @@ void end_by_themselves(std::vector<Wall>& walls, const Readings& readings) {
     }
 }
 
+/// Whether a few beams look into the corner of the walls on either side: each sees some of both, so
+/// they lie on a line of their own, which is no wall.
+bool is_corner(const Wall& a, const Wall& between, const Wall& b, const Readings& readings) {
+    constexpr std::size_t most_beams = 8;
+    if (between.last - between.first >= most_beams) return false;
+    if (between.first > a.last + 1 || b.first > between.last + 1) return false;
+    const auto corner = meeting_of(a, b);
+    if (!corner) return false;
+    const double angle_rad = std::atan2(corner->y_m, corner->x_m);
+    const double middle_rad =
+        0.5 * (readings.angle_rad(between.first) + readings.angle_rad(between.last));
+    const double beams = static_cast<double>(between.last - between.first) + 2.0;
+    return std::abs(angle_between(angle_rad, middle_rad)) < 0.5 * beams * readings.beam_rad &&
+           std::abs(between.range_m(middle_rad) - std::hypot(corner->x_m, corner->y_m)) <
+               room_of_corner_m(*corner, readings.beam_rad);
+}
+
+void leave_out_corners(const Readings& readings, std::vector<Wall>& walls) {
+    for (std::size_t i = 1; i + 1 < walls.size(); ++i) {
+        if (is_corner(walls[i - 1], walls[i], walls[i + 1], readings))
+            walls.erase(walls.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
 }  // namespace
 
 void find_ends(std::vector<Wall>& walls, const Readings& readings, const std::vector<Beam>& beams) {
     constexpr std::size_t most_between = 4;
+    constexpr std::size_t most_in_corner = 10;
+    leave_out_corners(readings, walls);
     end_by_themselves(walls, readings);
     for (std::size_t i = 0; i + 1 < walls.size(); ++i) {
         Wall& a = walls[i];
         Wall& b = walls[i + 1];
-        if (b.first - a.last > most_between) continue;
-        if (!join_corner(a, b, readings.beam_rad)) end_at_edge(a, b, readings, beams);
+        const std::size_t apart = b.first - a.last;
+        if (apart <= most_in_corner && join_corner(a, b, readings.beam_rad)) continue;
+        if (apart <= most_between) end_at_edge(a, b, readings, beams);
     }
 }
 

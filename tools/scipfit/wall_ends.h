@@ -13,7 +13,8 @@
 
 namespace scipd::tools {
 
-/// Finds `begin` and `end` of each from its beams. They are in the order of their beams.
+/// Finds `begin` and `end` of each from its beams, and leaves out what is only a corner of two
+/// others. They are in the order of their beams.
 void find_ends(std::vector<Wall>& walls, const Readings& readings, const std::vector<Beam>& beams);
 
 }  // namespace scipd::tools

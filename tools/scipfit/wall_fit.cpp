@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <ceres/ceres.h>
@@ -23,6 +24,7 @@ struct Seen {
     double angle_rad;
     double range_m;
     double deviation_m;  ///< of the middle
+    bool inside;         ///< it sees nothing of other faces
 
     [[nodiscard]] Point point() const {
         return {range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
@@ -45,7 +47,7 @@ std::vector<Run> runs_of(const Readings& readings, const Station& station) {
         const Beam& of = station.beams[beam];
         const double deviation_mm = std::sqrt(of.variance_mm2 / static_cast<double>(of.count));
         const Seen seen{beam, readings.angle_rad(beam), of.mean_mm * m_per_mm,
-                        deviation_mm * m_per_mm};
+                        deviation_mm * m_per_mm, of.inside};
         const Seen* const before = runs.empty() ? nullptr : &runs.back().back();
         const bool goes_on = before != nullptr && beam - before->beam <= 2 &&
                              std::abs(seen.range_m - before->range_m) <
@@ -97,7 +99,15 @@ struct WallResidual {
     Seen seen;
 };
 
-Wall fitted(const Run& points) {
+/// A beam in a corner, or at an edge, is some millimetres off; a wall of few beams has no others.
+Run inner_ones(const Run& points) {
+    Run inner;
+    std::ranges::copy_if(points, std::back_inserter(inner), &Seen::inside);
+    return inner.size() < 2 * least_beams ? points : inner;
+}
+
+Wall fitted(const Run& all) {
+    const Run points = inner_ones(all);
     const Point a = points.front().point();
     const Point b = points.back().point();
     // Beams go counter-clockwise around the origin, so it is to the left of the way from a to b.
@@ -115,8 +125,8 @@ Wall fitted(const Run& points) {
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     Wall wall{.normal_rad = normal, .distance_m = distance};
-    wall.first = points.front().beam;
-    wall.last = points.back().beam;
+    wall.first = all.front().beam;
+    wall.last = all.back().beam;
     double squares = 0.0;
     for (const Seen& seen : points) {
         const double off = seen.range_m * std::cos(seen.angle_rad - normal) - distance;
@@ -148,23 +158,30 @@ std::vector<Run> merged(const std::vector<Run>& pieces) {
     return whole;
 }
 
-/// Whether some neighbouring beams see it elsewhere than the wall that was laid through all.
-bool bends(const Run& points, const Wall& wall) {
-    constexpr double flat_m = 0.0006;
-    constexpr double surely = 4.0;
-    const std::size_t neighbours = std::clamp<std::size_t>(points.size() / 6, 6, 16);
-    const double n = static_cast<double>(neighbours);
-    for (std::size_t i = 0; i + neighbours <= points.size(); i += neighbours / 2) {
-        double off_m = 0.0;
-        double deviation_m = 0.0;
-        for (std::size_t k = i; k < i + neighbours; ++k) {
-            off_m += (points[k].range_m - wall.range_m(points[k].angle_rad)) / n;
-            deviation_m += points[k].deviation_m / n;
-        }
-        // Neighbours share a part of their noise, so their mean has about twice the variance.
-        if (std::abs(off_m) > flat_m + surely * deviation_m * std::sqrt(2.0 / n)) return true;
+/// Whether these neighbouring beams see it elsewhere than the wall that was laid through all.
+bool is_off(std::span<const Seen> neighbours, const Wall& wall) {
+    constexpr double flat_m = 0.0002;
+    constexpr double surely = 2.0;
+    const double n = static_cast<double>(neighbours.size());
+    double off_m = 0.0;
+    double deviation_m = 0.0;
+    for (const Seen& seen : neighbours) {
+        off_m += (seen.range_m - wall.range_m(seen.angle_rad)) / n;
+        deviation_m += seen.deviation_m / n;
     }
-    return false;
+    // Neighbours share a part of their noise, so their mean has about twice the variance.
+    return std::abs(off_m) > flat_m + surely * deviation_m * std::sqrt(2.0 / n);
+}
+
+bool bends(const Run& all, const Wall& wall) {
+    const Run points = inner_ones(all);
+    const std::size_t neighbours = std::clamp<std::size_t>(points.size() / 6, 6, 16);
+    if (points.size() < neighbours) return false;
+    const std::size_t last = points.size() - neighbours;
+    for (std::size_t i = 0; i < last; i += neighbours / 2) {
+        if (is_off(std::span(points).subspan(i, neighbours), wall)) return true;
+    }
+    return is_off(std::span(points).last(neighbours), wall);
 }
 
 /// A wall that bends, or that the scanner sees bent, is several planes.

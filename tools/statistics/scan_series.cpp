@@ -57,8 +57,10 @@ bool ScanSeries::is_double(const sim::RecordedScan& scan) const {
     if (times_.empty()) return false;
     const bool stamped = scan.stamp_ms || scan.stamp_us;
     if (stamped) return scan.stamp_ms == last_.stamp_ms && scan.stamp_us == last_.stamp_us;
+    const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
     // Two scans of a real scanner are never equal, unless it sees nothing at all.
-    return scan.ranges == last_.ranges && scan.intensities == last_.intensities;
+    return std::ranges::equal(scan.ranges, last_.ranges, same) &&
+           std::ranges::equal(scan.intensities, last_.intensities, same);
 }
 
 void ScanSeries::add(const sim::RecordedScan& scan) {

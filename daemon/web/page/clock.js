@@ -16,10 +16,12 @@ export class Clock {
     byId('clock-play').addEventListener('click', () => this.toggle());
     byId('clock-step').addEventListener('click', () => this.step());
     status.addEventListener('changed', () => this.update());
+    robots.addEventListener('known', () => this.update());
   }
 
+  /** Once the pose is known that goes on. */
   get isSteered() {
-    return this.status.latest?.clock === 'poses';
+    return this.status.latest?.clock === 'poses' && this.robots.poses.robots.size > 0;
   }
 
   toggle() {

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // How one connects a driver to the chosen scanner, for as long as no scanner has a client.
+import {partsOf, reach, usable} from './addresses.js';
 import {byId, make, tell} from './elements.js';
 
 const DRIVER = 'ros2 run urg_node urg_node_driver --ros-args';
@@ -16,10 +17,11 @@ export class ConnectCard {
     this.element = make('section', {class: 'card connect', 'aria-label': 'Connect a driver', hidden: true},
       make('div', {class: 'row'}, make('strong', {}, 'Connect a driver'), make('span', {class: 'space'}),
         make('button', {class: 'quiet', 'aria-label': 'Close this card', on: {click: () => this.close()}}, '×')),
-      make('p', {class: 'dim'}, this.name = make('span'), ' waits for its first client, at'),
+      make('p', {class: 'dim'}, this.name = make('span'), ' has no client. It listens at'),
       make('dl', {class: 'facts'},
         make('div', {}, make('dt', {}, 'TCP'), make('dd', {}, this.tcp)),
         make('div', {}, make('dt', {}, 'tty'), make('dd', {}, this.tty))),
+      this.reach = make('p', {class: 'dim'}),
       make('p', {class: 'dim'}, 'such as urg_node of ROS 2:'),
       make('div', {class: 'row command'}, this.command,
         make('button', {on: {click: () => this.copy()}, 'aria-label': 'Copy the command'}, 'Copy')));
@@ -34,10 +36,12 @@ export class ConnectCard {
     const isClosed = sessionStorage.getItem(KEY) === 'closed';
     this.element.hidden = isClosed || hasClient || !(scanner?.tcp || scanner?.pty);
     if (this.element.hidden) return;
-    const tcp = scanner.tcp && reachable(scanner.tcp);
+    const tcp = scanner.tcp && usable(scanner.tcp);
     tell(this.name, scanner.name);
     tell(this.tcp, tcp || 'none');
     tell(this.tty, scanner.pty || 'none');
+    tell(this.reach, tcp ? reach(scanner.tcp) : '');
+    this.reach.hidden = !this.reach.textContent;
     tell(this.command, `${DRIVER} ${tcp ? overTcp(tcp) : `-p serial_port:=${scanner.pty}`}`);
   }
 
@@ -57,12 +61,7 @@ export class ConnectCard {
   }
 }
 
-/** What listens at all addresses is where the page came from. */
-function reachable(tcp) {
-  return tcp.replace(/^(0\.0\.0\.0|\[::\])(?=:\d+$)/, location.hostname);
-}
-
 function overTcp(tcp) {
-  const [, address, port] = tcp.match(/^(.*):(\d+)$/);
-  return `-p ip_address:=${address} -p ip_port:=${port}`;
+  const {host, port} = partsOf(tcp);
+  return `-p ip_address:=${host} -p ip_port:=${port}`;
 }

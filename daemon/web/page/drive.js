@@ -67,7 +67,7 @@ export class Drive {
       return;
     }
     if (!this.begin) {
-      this.begin = {thing, pose};
+      this.begin = {thing, pose: this.robots.poseNow(thing.kind, thing.name)};
       this.robots.hold(thing.kind, thing.name);
     }
     this.mover.move(thing, this.next(pose, ahead, left, past_s));

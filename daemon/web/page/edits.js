@@ -17,8 +17,8 @@ function modelPath(name, rest = '') {
 }
 
 export class Edits {
-  constructor({server, world, robots, selection, locks, placing, undo, notices}) {
-    Object.assign(this, {server, world, robots, selection, locks, placing, undo, notices});
+  constructor({server, world, robots, selection, locks, placing, undo, notices, status}) {
+    Object.assign(this, {server, world, robots, selection, locks, placing, undo, notices, status});
     this.added = new Map();
     this.asked = new Set();
     world.addEventListener('loaded', () => this.forget());
@@ -155,12 +155,22 @@ export class Edits {
   }
 
   async remove(thing) {
-    if (thing?.kind !== 'models') return;
+    if (thing?.kind !== 'models') {
+      this.notices.tell(thing ? this.whyRobotStays(thing) : 'Nothing is selected. Select a model to delete it.');
+      return;
+    }
     if (this.locks.isLocked(thing)) {
       this.notices.tell(`${thing.name} belongs to the world and is locked. Unlock it in its card to delete it.`);
       return;
     }
     await this.undo.inTurn(() => this.removeModel(thing));
+  }
+
+  whyRobotStays({name}) {
+    const others = this.status.sensors.some((sensor) => !sensor.name.startsWith(`${name}/`));
+    return others
+      ? `${name} is a robot, which goes with its last sensor. Take them away in the panel Sensors.`
+      : `${name} is the only robot, and scipd needs one.`;
   }
 
   async removeModel({name}) {

@@ -67,6 +67,7 @@ export class Hands {
     this.drag.begun = true;
     if (!this.drag.from) return;
     const {thing} = this.drag;
+    this.drag.before = this.robots.poseNow(thing.kind, thing.name);
     this.selection.select(thing);
     this.robots.hold(thing.kind, thing.name);
     this.stage.canvas.classList.add('holding');
@@ -102,7 +103,7 @@ export class Hands {
     if (!drag?.begun || !drag.from) return;
     this.robots.release();
     this.stage.canvas.classList.remove('holding');
-    this.undo.moved(drag.thing, drag.pose);
+    this.undo.moved(drag.thing, drag.before);
   }
 
   /** The cursor tells what can be taken, once a picture, and not in worlds through which it takes long to look. */

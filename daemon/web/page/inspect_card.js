@@ -6,13 +6,15 @@ import {Vector3} from './three.module.js';
 import {LineMarks, PointMarks} from './marks.js';
 import {Pace} from './pace.js';
 import {byId, make, tell} from './elements.js';
+import {freePlace} from './free_place.js';
 import {factsOf, metres, nameOfBeam} from './beam_words.js';
 import {sentRange} from './scan_shape.js';
 
 export const CURSOR_COLOUR = [0.80, 0.08, 0.62];
 const BETWEEN_MS = 100;
 const AWAY_PX = 16;
-const MARGIN_PX = 6;
+const MARK_PX = 10;
+const OTHERS = ['timeline', 'selected', 'notices', 'legend'];
 
 export class InspectCard {
   constructor({stage, scans, settings, world, inspection, pointed, past}) {
@@ -30,6 +32,8 @@ export class InspectCard {
       stage.invalidate();
     });
     past.addEventListener('changed', () => this.pace.ask());
+    const makeWay = new ResizeObserver(() => stage.invalidate());
+    for (const other of OTHERS) makeWay.observe(byId(other));
     stage.beforeEach(() => this.mark());
     stage.afterEach(() => this.update());
   }
@@ -114,13 +118,18 @@ export class InspectCard {
     facts.forEach(([, text], k) => tell(list.children[k].lastChild, text));
   }
 
-  /** Beside the place, on the side that has room. */
+  /** Beside the place, on the side that has room, and over nothing else as far as can be. */
   moveTo({x, y}) {
-    const {clientWidth: width, clientHeight: height} = this.stage.canvas;
-    const {offsetWidth, offsetHeight} = this.card;
-    const left = x + AWAY_PX + offsetWidth < width ? x + AWAY_PX : x - AWAY_PX - offsetWidth;
-    const top = Math.min(y + AWAY_PX, height - offsetHeight - MARGIN_PX);
-    this.card.style.left = `${Math.max(Math.min(left, width - offsetWidth - MARGIN_PX), MARGIN_PX)}px`;
-    this.card.style.top = `${Math.max(top, MARGIN_PX)}px`;
+    const view = this.stage.canvas.getBoundingClientRect();
+    const {offsetWidth: width, offsetHeight: height} = this.card;
+    const at = {x: view.left + x, y: view.top + y};
+    const isRight = at.x + AWAY_PX + width < view.right;
+    const wanted = {left: isRight ? at.x + AWAY_PX : at.x - AWAY_PX - width, top: at.y + AWAY_PX};
+    const mark = {left: at.x - MARK_PX, right: at.x + MARK_PX, top: at.y - MARK_PX, bottom: at.y + MARK_PX};
+    const others = OTHERS.map(byId).filter((each) => each.checkVisibility());
+    const taken = [mark, ...others.map((each) => each.getBoundingClientRect())];
+    const {left, top} = freePlace(wanted, {width, height}, view, taken);
+    this.card.style.left = `${left - view.left}px`;
+    this.card.style.top = `${top - view.top}px`;
   }
 }

@@ -1,41 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How points of each material look, so that one can tell them apart: the colours and shapes of `scipcat plot`, which
-// begins with the material of the most points. What a material has it keeps until another world comes.
+// How points of each material look, so that one can tell them apart: by its number in the world's list, as
+// `scipcat plot` has it.
 import {distinct, distinctCount} from './colours.js';
 
 export const SHAPES = ['circle', 'square', 'triangle'];
 
 export class MaterialLooks {
-  constructor() {
-    this.looks = new Map();
+  constructor(world) {
+    this.world = world;
+    this.numbers = new Map();
+    world.addEventListener('changed', () => this.numbers.clear());
   }
 
-  forget() {
-    this.looks.clear();
+  /** Scans of another moment may have some that the world's list has not: they follow. */
+  numberOf(name) {
+    if (!this.numbers.size) this.world.materials.forEach((each) => this.add(each.name));
+    this.add(name);
+    return this.numbers.get(name);
   }
 
-  /** pointsOf: how many points each material has. */
-  meet(pointsOf) {
-    const others = [...pointsOf.keys()].filter((name) => !this.looks.has(name));
-    others.sort((a, b) => pointsOf.get(b) - pointsOf.get(a) || (a < b ? -1 : 1));
-    for (const name of others) {
-      const number = this.looks.size;
-      this.looks.set(name, {
-        colour: distinct(number),
-        shape: Math.floor(number / distinctCount) % SHAPES.length,
-      });
-    }
-  }
-
-  /** In the order in which they came. */
-  get names() {
-    return [...this.looks.keys()];
+  add(name) {
+    if (!this.numbers.has(name)) this.numbers.set(name, this.numbers.size);
   }
 
   /** {colour, shape}, a number of SHAPES. */
   of(name) {
-    return this.looks.get(name);
+    const number = this.numberOf(name);
+    return {colour: distinct(number), shape: Math.floor(number / distinctCount) % SHAPES.length};
+  }
+
+  inOrder(names) {
+    return [...names].sort((a, b) => this.numberOf(a) - this.numberOf(b));
   }
 }

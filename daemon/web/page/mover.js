@@ -14,8 +14,9 @@ export class Mover {
     this.status = status;
     this.notices = notices;
     this.ledTo_s = 0;
+    this.sentTo_s = 0;
     this.waiting = new Map();
-    this.busy = new Set();
+    this.busy = new Map();
   }
 
   path(thing) {
@@ -26,13 +27,19 @@ export class Mover {
 
   move(thing, pose) {
     this.robots.place(thing.kind, thing.name, pose);
-    const key = `${thing.kind}:${thing.name}`;
+    const key = keyOf(thing);
     this.waiting.set(key, {thing, pose});
-    if (!this.busy.has(key)) this.sendAll(key);
+    if (!this.busy.has(key)) this.busy.set(key, this.sendAll(key));
+  }
+
+  /** Of what is undone, which may be gone by now: it moves once the daemon has taken it. */
+  async moveBack(thing, pose) {
+    await this.busy.get(keyOf(thing));
+    await this.put(thing, pose);
+    this.robots.place(thing.kind, thing.name, pose);
   }
 
   async sendAll(key) {
-    this.busy.add(key);
     while (this.waiting.has(key)) {
       const {thing, pose} = this.waiting.get(key);
       this.waiting.delete(key);
@@ -45,7 +52,7 @@ export class Mover {
   get time_s() {
     const {time_s, uptime_s} = this.status.latest;
     // A daemon that began anew has a time of its own.
-    if (this.uptime_s > uptime_s) this.ledTo_s = 0;
+    if (this.uptime_s > uptime_s) this.ledTo_s = this.sentTo_s = 0;
     this.uptime_s = uptime_s;
     return Math.max(time_s, this.ledTo_s);
   }
@@ -55,28 +62,47 @@ export class Mover {
    * is one more, which others may still have as well.
    */
   async goOn(thing, pose, by_s) {
-    const t = this.time_s + by_s;
+    const t = this.stampAt(this.time_s + by_s);
     const say = (stamp) => this.server.put(this.path(thing), {xyz: pose.xyz, q: pose.q, t: stamp});
     await say(t);
-    if (this.robots.movers > 1) await say(t + SOON_S);
+    if (this.robots.movers > 1) await say(this.stampAt(t));
     this.ledTo_s = t;
   }
 
-  async send(thing, pose) {
+  /** This one, or as soon after all that were sent as can be: a pose must be later than the one before it. */
+  stampAt(t) {
+    this.sentTo_s = Math.max(t, this.sentTo_s + SOON_S);
+    return this.sentTo_s;
+  }
+
+  async put(thing, pose) {
     const body = {xyz: pose.xyz, q: pose.q};
     // There a pose is what makes time go on.
-    if (this.status.latest?.clock === 'poses') body.t = this.time_s;
+    if (this.status.latest?.clock === 'poses') body.t = this.stampAt(this.time_s + SOON_S);
+    await this.server.put(this.path(thing), body);
+  }
+
+  async send(thing, pose) {
     try {
-      await this.server.put(this.path(thing), body);
+      await this.put(thing, pose);
     } catch (error) {
-      this.waiting.delete(`${thing.kind}:${thing.name}`);
+      this.waiting.delete(keyOf(thing));
       this.notices.trouble(`${thing.name} cannot be moved: ${error.message}`);
       await this.bringBack(thing);
     }
   }
 
+  /** To where the daemon has it, if it still does. */
   async bringBack(thing) {
-    const pose = await this.server.get(this.path(thing)).catch(() => null);
-    if (pose) this.robots.place(thing.kind, thing.name, {xyz: pose.xyz, q: pose.q});
+    try {
+      const {xyz, q} = await this.server.get(this.path(thing));
+      this.robots.place(thing.kind, thing.name, {xyz, q});
+    } catch (error) {
+      if (error.status === 404) this.robots.leave(thing.kind, thing.name);
+    }
   }
+}
+
+function keyOf({kind, name}) {
+  return `${kind}:${name}`;
 }

@@ -11,6 +11,7 @@ export const PAINTS = [
   ['error', 'Error, sent − returned'], ['range', 'Range'], ['sensor', 'Sensor'],
 ];
 const PLAIN = [0.2, 0.75, 1];
+const NONE = [0.6, 0.6, 0.6];
 // Enough of all values to find the usual ones.
 const MOST_VALUES = 20_000;
 
@@ -59,39 +60,39 @@ function byIntensity(scans) {
   };
 }
 
-/** How many beams have each name; those without one do not count. */
-function counted(scans, nameOf) {
-  const counts = new Map();
+/** A colour for each name that points have, and for those that have none, such as of fog. */
+function byName(title, scans, nameOf, {lookOf, inOrder, textOf}) {
+  const found = new Set();
   for (const scan of scans) {
     for (let i = 0; i < scan.beams; ++i) {
-      const name = nameOf(scan, i);
-      if (name !== null) counts.set(name, (counts.get(name) || 0) + 1);
+      if (sentRange(scan, i) > 0) found.add(nameOf(scan, i));
     }
   }
-  return counts;
+  const looks = new Map([[null, {colour: NONE, shape: 0}]]);
+  const look = (name) => {
+    if (!looks.has(name)) looks.set(name, lookOf(name));
+    return looks.get(name);
+  };
+  const named = inOrder([...found].filter((name) => name !== null));
+  const names = named.map((name) => ({name: textOf(name), ...look(name)}));
+  if (found.has(null)) names.push({name: 'none', ...look(null)});
+  return {
+    colourOf: (scan, i) => look(nameOf(scan, i)).colour,
+    shapeOf: (scan, i) => look(nameOf(scan, i)).shape,
+    legend: {title, names},
+  };
 }
 
 function byMaterial(scans, {materialLooks}) {
-  const counts = counted(scans, returnedMaterial);
-  materialLooks.meet(counts);
-  const lookOf = (scan, i) => materialLooks.of(returnedMaterial(scan, i));
-  const names = materialLooks.names.filter((name) => counts.has(name));
-  return {
-    colourOf: (scan, i) => lookOf(scan, i)?.colour || PLAIN,
-    shapeOf: (scan, i) => lookOf(scan, i)?.shape || 0,
-    legend: {title: 'Material', names: names.map((name) => ({name, ...materialLooks.of(name)}))},
-  };
+  return byName('Material', scans, returnedMaterial, {
+    lookOf: (name) => materialLooks.of(name), inOrder: (names) => materialLooks.inOrder(names), textOf: (name) => name,
+  });
 }
 
 function byObject(scans, {nameOfObject}) {
-  const ids = [...counted(scans, objectOf).keys()];
-  return {
-    colourOf: (scan, i) => {
-      const id = objectOf(scan, i);
-      return id === null ? PLAIN : colours.ofNumber(id);
-    },
-    legend: {title: 'Object', names: ids.map((id) => ({name: nameOfObject(id), colour: colours.ofNumber(id)}))},
-  };
+  return byName('Object', scans, objectOf, {
+    lookOf: (id) => ({colour: colours.ofNumber(id), shape: 0}), inOrder: (ids) => ids, textOf: nameOfObject,
+  });
 }
 
 function bySensor(scans, {colourOfSensor}) {

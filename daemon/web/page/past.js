@@ -5,7 +5,7 @@
 
 /** Tells changed. Times are Unix times, as the page saw them. */
 export class Past extends EventTarget {
-  constructor({scans, robots, recorder, poseHistory, settings}) {
+  constructor({scans, robots, world, recorder, poseHistory, settings}) {
     super();
     Object.assign(this, {scans, robots, recorder, poseHistory, settings});
     this.time_s = null;
@@ -14,6 +14,11 @@ export class Past extends EventTarget {
     robots.addEventListener('moved', () => {
       // Whoever moves a robot wants to see what it does now.
       if (this.isPaused && !this.placing) this.live();
+    });
+    // What was seen in another world is not to be seen in this one.
+    world.addEventListener('loaded', () => {
+      recorder.forgetAllBut([]);
+      this.live();
     });
   }
 
@@ -70,7 +75,7 @@ export class Past extends EventTarget {
       if (scan) this.scans.drawPast(scan);
     }
     this.placing = true;
-    for (const {kind, name, pose} of this.poseHistory.at(this.time_s)) this.robots.place(kind, name, pose);
+    this.robots.showOnly(this.poseHistory.at(this.time_s));
     this.placing = false;
     this.dispatchEvent(new Event('changed'));
   }

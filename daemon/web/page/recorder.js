@@ -49,13 +49,6 @@ export class Recorder {
     return this.kept.get(sensor) || [];
   }
 
-  /** Those of a scanner's last seconds. */
-  lastOf(sensor, last_s) {
-    const scans = this.of(sensor);
-    const newest_s = scans[scans.length - 1]?.got_s;
-    return scans.filter(({kind, got_s}) => kind === 'scan' && got_s >= newest_s - last_s);
-  }
-
   /** The last one that was there at a time, or the first of all. */
   at(sensor, time_s) {
     const scans = this.of(sensor);
@@ -82,10 +75,4 @@ function after(scans, time_s) {
 
 function sizeOf(scan) {
   return Object.values(scan.arrays).reduce((sum, array) => sum + array.byteLength, 0);
-}
-
-/** How many scans lie between these that the page did not get. */
-export function missedBetween(scans) {
-  if (!scans.length) return 0;
-  return Math.max(scans[scans.length - 1].scan - scans[0].scan + 1 - scans.length, 0);
 }

@@ -10,10 +10,11 @@ import {
 import {makeSurface} from './surface.js';
 import {matrixOf, poseOf} from './pose.js';
 
+const KINDS = ['robots', 'models'];
 const ROBOT = [0.16, 0.47, 0.86];
 export const MARK_RADIUS_M = 0.22;
 
-/** Tells moved (detail: {kind, name}) and known, when others are there. */
+/** Tells moved and gone (detail: {kind, name}), and known, when others are there. */
 export class Robots extends EventTarget {
   constructor(stage, connection, world) {
     super();
@@ -23,11 +24,12 @@ export class Robots extends EventTarget {
     this.poses = {robots: new Map(), models: new Map()};
     this.marks = new Map();
     this.held = null;
-    this.isFrozen = false;
-    this.missed = new Map();
+    // What the daemon says, while the page stands still and shows something else.
+    this.present = null;
     this.time_s = 0;
     this.owed = false;
     this.isStale = false;
+    this.isWhole = false;
     connection.addEventListener('text', (event) => this.take(event.detail));
     connection.addEventListener('open', () => {
       this.owed = false;
@@ -38,19 +40,20 @@ export class Robots extends EventTarget {
   }
 
   take(message) {
+    if ('scene' in message) this.isWhole = true;
     if (!message.robots && !message.models) return;
     this.time_s = message.time_s ?? this.time_s;
-    // The first message of a connection has all that moves.
-    if (this.isStale) this.forget();
-    const before = this.poses.robots.size + this.poses.models.size;
-    for (const kind of ['robots', 'models']) {
+    // The first message of a connection has all that moves, and so has the first about another scene.
+    const isWhole = this.isStale || this.isWhole;
+    this.isStale = this.isWhole = false;
+    if (isWhole) this.keepOnly(message);
+    const before = this.movers;
+    for (const kind of KINDS) {
       for (const [name, pose] of Object.entries(message[kind] || {})) this.set(kind, name, pose);
     }
     this.owed = true;
     this.stage.invalidate();
-    if (this.poses.robots.size + this.poses.models.size !== before) {
-      this.dispatchEvent(new Event('known'));
-    }
+    if (this.movers !== before) this.dispatchEvent(new Event('known'));
   }
 
   acknowledge() {
@@ -60,26 +63,32 @@ export class Robots extends EventTarget {
   }
 
   set(kind, name, pose) {
-    if (this.held?.kind === kind && this.held.name === name) return;
-    if (this.isFrozen) this.missed.set(`${kind}:${name}`, [kind, name, pose]);
+    if (this.isHeld(kind, name)) return;
+    if (this.isFrozen) this.present[kind].set(name, pose);
     else this.place(kind, name, pose);
+  }
+
+  get isFrozen() {
+    return this.present !== null;
   }
 
   /** While the page stands still, what the daemon says waits. */
   freeze(on) {
     if (this.isFrozen === on) return;
-    if (on) this.rememberAll();
-    this.isFrozen = on;
-    if (on) return;
-    for (const late of this.missed.values()) this.place(...late);
-    this.missed.clear();
+    const {present} = this;
+    this.present = on ? {robots: new Map(this.poses.robots), models: new Map(this.poses.models)} : null;
+    if (!on) this.showOnly(present);
   }
 
-  /** Those that do not move meanwhile come back as well. */
-  rememberAll() {
-    for (const [kind, poses] of Object.entries(this.poses)) {
-      for (const [name, pose] of poses) this.missed.set(`${kind}:${name}`, [kind, name, pose]);
+  /** These poses, {robots, models}, and nothing else that moves. */
+  showOnly(poses) {
+    this.dropAllBut((kind, name) => poses[kind].has(name));
+    for (const kind of KINDS) {
+      for (const [name, pose] of poses[kind]) {
+        if (!this.isHeld(kind, name)) this.place(kind, name, pose);
+      }
     }
+    this.dispatchEvent(new Event('known'));
   }
 
   /** Shows it there at once; what the daemon says comes after. */
@@ -91,9 +100,10 @@ export class Robots extends EventTarget {
     this.stage.invalidate();
   }
 
-  /** How many can move: robots, and models of their own. */
+  /** How many can move now: robots, and models of their own. */
   get movers() {
-    return this.poses.robots.size + this.poses.models.size;
+    const {robots, models} = this.present || this.poses;
+    return robots.size + models.size;
   }
 
   /** While somebody drags a thing, the daemon's older poses of it do not count. */
@@ -101,20 +111,59 @@ export class Robots extends EventTarget {
     this.held = {kind, name};
   }
 
+  isHeld(kind, name) {
+    return this.held?.kind === kind && this.held.name === name;
+  }
+
   release() {
     this.held = null;
   }
 
+  /** Other objects are there, which stand where they stood: nothing has moved. */
   placeAll() {
-    for (const [name, pose] of this.poses.robots) this.place('robots', name, pose);
+    for (const [name, pose] of this.poses.robots) {
+      this.world.move('robots', name, pose);
+      this.mark(name, pose);
+    }
     for (const [name, pose] of this.poses.models) this.world.move('models', name, pose);
   }
 
-  forget() {
-    this.isStale = false;
-    for (const mark of this.marks.values()) this.stage.scene.remove(mark);
-    this.marks.clear();
-    this.poses = {robots: new Map(), models: new Map()};
+  /** The others are gone. In the past they may still be seen. */
+  keepOnly(message) {
+    const isThere = (kind, name) => name in (message[kind] || {});
+    if (!this.isFrozen) {
+      if (this.dropAllBut(isThere)) this.dispatchEvent(new Event('known'));
+      return;
+    }
+    for (const kind of KINDS) {
+      for (const name of this.present[kind].keys()) {
+        if (!isThere(kind, name)) this.present[kind].delete(name);
+      }
+    }
+  }
+
+  /** True if some are gone. */
+  dropAllBut(isThere) {
+    const gone = KINDS.flatMap((kind) =>
+      [...this.poses[kind].keys()].filter((name) => !isThere(kind, name)).map((name) => [kind, name]));
+    for (const [kind, name] of gone) this.drop(kind, name);
+    return gone.length > 0;
+  }
+
+  /** It is gone, as the daemon will say. */
+  leave(kind, name) {
+    this.present?.[kind].delete(name);
+    this.drop(kind, name);
+    this.dispatchEvent(new Event('known'));
+  }
+
+  drop(kind, name) {
+    this.poses[kind].delete(name);
+    if (kind === 'robots') {
+      this.stage.scene.remove(this.marks.get(name));
+      this.marks.delete(name);
+    }
+    this.dispatchEvent(new CustomEvent('gone', {detail: {kind, name}}));
   }
 
   poseOf(kind, name) {
@@ -122,6 +171,11 @@ export class Robots extends EventTarget {
     if (known) return known;
     const body = kind === 'models' ? this.world.bodies.get(`model:${name}`) : null;
     return body ? poseOf(body.matrix) : null;
+  }
+
+  /** Where it is now, whatever the page shows. */
+  poseNow(kind, name) {
+    return this.present?.[kind].get(name) ?? this.poseOf(kind, name);
   }
 
   positionOf(kind, name) {

@@ -23,6 +23,7 @@ export class Scans extends EventTarget {
     this.status = status;
     this.layers = new Map();
     this.latest = new Map();
+    this.colours = new Map();
     this.unacknowledged = [];
     this.counts = new Map();
     this.isDrawn = false;
@@ -30,18 +31,21 @@ export class Scans extends EventTarget {
     this.words = {
       nameOfObject: (id) => world.nameOf(id),
       colourOfSensor: (sensor) => this.colourOf(sensor),
-      materialLooks: new MaterialLooks(),
+      materialLooks: new MaterialLooks(world),
     };
     this.isHeld = false;
+    this.lastChosen = null;
     connection.addEventListener('open', () => this.subscribe());
     connection.addEventListener('binary', (event) => this.take(this.known(readScan(event.detail))));
     stage.beforeEach(() => this.draw());
     stage.afterEach(() => this.acknowledge());
     for (const name of REDRAWN_BY) settings.watch(name, () => this.redraw());
     settings.watch('sensor', () => this.choose());
-    status.addEventListener('changed', () => this.warn());
+    status.addEventListener('changed', () => {
+      this.leaveGone();
+      this.warn();
+    });
     world.addEventListener('changed', () => this.redraw());
-    world.addEventListener('loaded', () => this.words.materialLooks.forget());
   }
 
   isShown(sensor) {
@@ -58,8 +62,12 @@ export class Scans extends EventTarget {
     return this.isShown(wanted) ? wanted : this.shown[0];
   }
 
+  /** It keeps its colour, whoever comes and goes. */
   colourOf(sensor) {
-    return ofScanner(Math.max(this.status.sensors.findIndex(({name}) => name === sensor), 0));
+    for (const {name} of this.status.sensors) {
+      if (!this.colours.has(name)) this.colours.set(name, this.colours.size);
+    }
+    return ofScanner(this.colours.get(sensor) || 0);
   }
 
   show(sensor, on) {
@@ -74,6 +82,21 @@ export class Scans extends EventTarget {
     this.choose();
     this.warn();
     this.dispatchEvent(new Event('shown'));
+  }
+
+  /**
+   * Anybody may take a sensor away, the chosen one as well. In the past it was still there. One that was never there is
+   * left to whoever chose it.
+   */
+  leaveGone() {
+    if (this.isHeld) return;
+    const {sensors} = this.status;
+    this.showAll(this.shown.filter((name) => !this.status.sensor(name)), false);
+    const chosen = this.settings.get('sensor');
+    if (!sensors.length || this.status.sensor(chosen) || chosen !== this.lastChosen) return;
+    const next = this.shown[0] || sensors[0].name;
+    this.show(next, true);
+    this.settings.set('sensor', next);
   }
 
   addLayer(sensor) {
@@ -92,6 +115,8 @@ export class Scans extends EventTarget {
   }
 
   choose() {
+    const wanted = this.settings.get('sensor');
+    if (this.status.sensor(wanted)) this.lastChosen = wanted;
     for (const [sensor, {scan}] of this.layers) scan.choose(sensor === this.chosen);
     this.redraw();
   }
@@ -115,6 +140,7 @@ export class Scans extends EventTarget {
   hold(on) {
     this.isHeld = on;
     this.subscribe();
+    this.leaveGone();
   }
 
   drawPast(scan) {

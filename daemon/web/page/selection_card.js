@@ -118,7 +118,7 @@ export class SelectionCard {
 
   move() {
     const {thing} = this.selection;
-    const before = this.pose;
+    const before = this.robots.poseNow(thing.kind, thing.name);
     const [x, y, z, yaw_deg] = FIELDS.map((name) => this.inputs[name].valueAsNumber);
     this.endTyping();
     if ([x, y, z, yaw_deg].some(Number.isNaN)) {

@@ -3,8 +3,11 @@
 //
 // How one sensor is doing, and whether one sees its scans. Among many it is a row until it is chosen.
 import {ErrorsForm} from './errors_form.js';
+import {reach, usable} from './addresses.js';
 import {css} from './colours.js';
 import {histogram} from './histogram.js';
+import {ask} from './ask_dialog.js';
+import {at} from './server.js';
 import {make, tell} from './elements.js';
 import {pictureOf} from './picture.js';
 
@@ -12,8 +15,8 @@ const STATE_KINDS = {streaming: 'good', measuring: 'good', error: 'bad', booting
 
 export class SensorCard {
   constructor(name, panel) {
-    const {settings, scans, status} = panel;
-    Object.assign(this, {name, settings, scans, status});
+    const {server, notices, settings, scans, status} = panel;
+    Object.assign(this, {name, server, notices, settings, scans, status});
     this.errors = new ErrorsForm(name, panel);
     this.box = make('input', {type: 'checkbox', 'aria-label': `Show the scans of ${name}`});
     this.box.addEventListener('change', () => scans.show(name, this.box.checked));
@@ -29,10 +32,24 @@ export class SensorCard {
     this.warning = make('p', {class: 'warning', hidden: true});
     this.late = make('div');
     this.picture = make('canvas', {class: 'picture', hidden: true});
+    this.away = make('button', {class: 'danger', on: {click: () => this.remove()}}, 'Take it away…');
+    this.stays = make('p', {class: 'dim small'}, 'It is the only sensor, and scipd needs one.');
     this.element = make('section', {class: 'card sensor'},
       make('div', {class: 'row'}, this.box, this.swatch, this.title, this.faults, this.state),
       this.brief, make('div', {class: 'whole'},
-        this.model, this.warning, this.facts, this.errors.element, this.picture, this.late));
+        this.model, this.warning, this.facts, this.errors.element, this.picture, this.late,
+        this.away, this.stays));
+  }
+
+  async remove() {
+    const why = 'Its clients lose it. Its robot goes with its last sensor. This cannot be undone.';
+    if (!await ask(`Take ${this.name} away?`, why, 'Take it away')) return;
+    try {
+      await this.server.remove(at('/sensors/', this.name));
+      await this.status.ask();
+    } catch (error) {
+      this.notices.trouble(`${this.name}: ${error.message}`);
+    }
   }
 
   update(sensor) {
@@ -49,6 +66,9 @@ export class SensorCard {
     tell(this.warning, sensor.warning || '');
     for (const [label, value, title] of this.factsOf(sensor)) this.fact(label, value, title);
     this.errors.update(sensor.errors);
+    const isOnly = this.status.sensors.length === 1;
+    this.away.hidden = isOnly;
+    this.stays.hidden = !isOnly;
     this.updateLateness(sensor);
     this.updatePicture();
   }
@@ -79,7 +99,7 @@ export class SensorCard {
       ['Rate', sensor.clients ? this.sentRate : '–', 'scans that go to drivers in a second'],
       ['Lost', sensor.lost, 'scans that a driver did not get'],
       ['Cast', hertz(this.status.rates.scans.get(this.name)), 'scans that are cast in a second, for drivers and pages'],
-      ['TCP', sensor.tcp || 'none'],
+      ['TCP', sensor.tcp ? usable(sensor.tcp) : 'none', sensor.tcp && reach(sensor.tcp)],
       ['tty', sensor.pty || 'none'],
       ['Late', `${ms(p50)}, 99 %: ${ms(p99)}, most: ${ms(max)}`, 'how long after its time a scan left'],
     ];

@@ -42,8 +42,9 @@ export class Server {
     return heard(answer.json());
   }
 
-  async bytes(path) {
-    const answer = await this.request('GET', path);
+  /** signal: ends it, however long it takes; without it, patience does. */
+  async bytes(path, signal) {
+    const answer = await this.request('GET', path, undefined, signal);
     return heard(answer.arrayBuffer());
   }
 
@@ -61,17 +62,17 @@ export class Server {
     return this.request('DELETE', path);
   }
 
-  async request(method, path, body) {
+  async request(method, path, body, signal) {
     for (;;) {
       const used = this.token;
-      const answer = await heard(fetch(path, this.options(method, body)));
+      const answer = await heard(fetch(path, this.options(method, body, signal)));
       if (answer.ok) return answer;
       if (answer.status !== 401) throw await refusal(answer);
       await this.newToken(used);
     }
   }
 
-  options(method, body) {
+  options(method, body, signal) {
     const headers = {};
     if (this.token) headers.Authorization = `Bearer ${this.token}`;
     if (body !== undefined) headers['Content-Type'] = 'application/json';
@@ -81,7 +82,7 @@ export class Server {
       method,
       headers,
       body: body === undefined ? undefined : JSON.stringify(body),
-      signal: AbortSignal.timeout(patience_ms),
+      signal: signal || AbortSignal.timeout(patience_ms),
     };
   }
 

@@ -19,7 +19,7 @@ export const DEFAULTS = {
   colours: 'material',
   grid: true,
   cut_m: 0,
-  keep_s: 10,
+  scans: 100,
   panel: 'sensors',
   sensor: '',
 };
@@ -29,7 +29,7 @@ export const CHOICES = {
   paint: PAINTS.map(([name]) => name),
   colours: ['material', 'model'],
   trail_s: [0, 1, 2, 5, 15],
-  keep_s: [5, 10, 30, 60],
+  scans: [10, 100, 400, 1000, 4000],
 };
 const HIGHEST_CUT_M = 1000;
 

@@ -1,57 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What one takes along: a picture, the scans of the last seconds, a link to the same view.
+// What one takes along: a picture, a recording that the daemon makes, a link to the same view.
+import {at} from './server.js';
 import {boundSelect, byId, make, tell} from './elements.js';
 import {CHOICES} from './settings.js';
-import {FILES} from './scan_files.js';
-import {missedBetween} from './recorder.js';
 import {viewPicture} from './view_picture.js';
 
-const BETWEEN_MS = 1000;
+const FORMATS = {mcap: 'MCAP', ubh: 'UBH', csv: 'CSV', jsonl: 'JSON lines'};
 
 export class SharePanel {
   constructor(page) {
-    const {recorder, settings, notices, link} = page;
-    Object.assign(this, {page, recorder, settings, notices, link});
+    const {server, settings, notices, link} = page;
+    Object.assign(this, {page, server, settings, notices, link});
+    this.recording = null;
     byId('save-picture').addEventListener('click', () => this.savePicture());
     byId('copy-link').addEventListener('click', () => this.copyLink());
-    byId('keep').append(boundSelect(settings, 'keep_s', 'Of the last',
-      CHOICES.keep_s.map((each) => [each, `${each} s`])));
-    byId('save-scans').append(...Object.entries(FILES).map(([ending, {label}]) =>
-      make('button', {id: `save-${ending}`, on: {click: () => this.saveScans(ending)}}, label)));
-    setInterval(() => this.update(), BETWEEN_MS);
-    settings.watch('*', () => this.update());
+    byId('keep').append(boundSelect(settings, 'scans', 'The next',
+      CHOICES.scans.map((each) => [each, `${each} scans`])));
+    byId('save-scans').append(...Object.entries(FORMATS).map(([format, label]) =>
+      make('button', {id: `save-${format}`, on: {click: () => this.record(format)}}, label)));
+    byId('record-stop').addEventListener('click', () => this.recording.abort());
+    settings.watch('sensor', () => this.update());
+    this.update();
   }
 
   update() {
-    if (this.settings.get('panel') !== 'share') return;
+    byId('save-scans').hidden = this.recording !== null;
+    byId('record-stop').hidden = this.recording === null;
+    if (this.recording) return;
     const sensor = this.settings.get('sensor');
-    const scans = this.scansToSave;
-    const missed = missedBetween(scans);
-    tell(byId('kept'), scans.length
-      ? `${scans.length} scans of ${sensor} are here` + (missed
-        ? `. This page was too slow for ${missed} others; scipcat record misses none.` : '.')
-      : `No scans of ${sensor || 'any sensor'} are here. Tick a scanner in the panel Sensors.`);
-  }
-
-  get scansToSave() {
-    return this.recorder.lastOf(this.settings.get('sensor'), this.settings.get('keep_s'));
+    tell(byId('kept'), sensor
+      ? `Of ${sensor}, as scipcat record writes them.` : 'Choose a scanner in the panel Sensors.');
   }
 
   async savePicture() {
     download(await viewPicture(this.page), `scipd-${stamp()}.png`);
   }
 
-  saveScans(ending) {
-    const recorded = this.scansToSave;
-    if (!recorded.length) {
-      this.notices.trouble('There are no scans yet. Tick a scanner in the panel Sensors.');
-      return;
+  /** The daemon leaves off when nobody waits any more. */
+  async record(format) {
+    const [sensor, scans] = [this.settings.get('sensor'), this.settings.get('scans')];
+    this.recording = new AbortController();
+    tell(byId('kept'), `Records ${scans} scans of ${sensor}…`);
+    this.update();
+    try {
+      const path = at('/sensors/', sensor, `/recording?format=${format}&scans=${scans}`);
+      const bytes = await this.server.bytes(path, this.recording.signal);
+      download(new Blob([bytes]), `${sensor.replace('/', '-')}-${stamp()}.${format}`);
+    } catch (error) {
+      if (!this.recording.signal.aborted) this.notices.trouble(`${sensor}: ${error.message}`);
     }
-    const {type, write} = FILES[ending];
-    const name = this.settings.get('sensor').replace('/', '-');
-    download(new Blob([write(recorded)], {type}), `${name}-${stamp()}.${ending}`);
+    this.recording = null;
+    this.update();
   }
 
   async copyLink() {

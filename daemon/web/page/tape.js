@@ -6,9 +6,13 @@
 import {CURSOR_COLOUR} from './inspect_card.js';
 import {LineMarks, PointMarks} from './marks.js';
 import {byId, tell} from './elements.js';
+import {freePlace} from './free_place.js';
 
 const SLACK_PX = 4;
 const ABOVE_PX = 10;
+// The label leaves these places of the tape free.
+const SHARES = [0, 0.25, 0.5, 0.75, 1];
+const CLEAR_PX = 8;
 
 export class Tape {
   constructor({stage, viewpoint, pointed, inspection}) {
@@ -103,8 +107,18 @@ export class Tape {
     this.label.hidden = !at;
     if (!at) return;
     tell(this.label, wordsOf(this.from, this.to));
-    this.label.style.left = `${at.x - this.label.offsetWidth / 2}px`;
-    this.label.style.top = `${at.y - this.label.offsetHeight - ABOVE_PX}px`;
+    const {offsetWidth: width, offsetHeight: height} = this.label;
+    const {clientWidth: right, clientHeight: bottom} = this.stage.canvas;
+    const wanted = {left: at.x - width / 2, top: at.y - height - ABOVE_PX};
+    const {left, top} = freePlace(wanted, {width, height}, {left: 0, top: 0, right, bottom}, this.boxes());
+    this.label.style.left = `${left}px`;
+    this.label.style.top = `${top}px`;
+  }
+
+  /** Along the tape, on the view. */
+  boxes() {
+    return SHARES.map((share) => this.pointed.project(this.from.clone().lerp(this.to, share))).filter(Boolean)
+      .map(({x, y}) => ({left: x - CLEAR_PX, right: x + CLEAR_PX, top: y - CLEAR_PX, bottom: y + CLEAR_PX}));
   }
 }
 

@@ -40,7 +40,7 @@ export class Undo extends EventTarget {
   }
 
   moved(thing, from) {
-    this.did(`moved ${thing.name}`, async () => this.mover.move(thing, from));
+    this.did(`moved ${thing.name}`, () => this.mover.moveBack(thing, from));
   }
 
   get next() {

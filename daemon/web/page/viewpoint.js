@@ -56,6 +56,11 @@ export class Viewpoint extends EventTarget {
     return this.controls.target;
   }
 
+  /** From what one looks at to the eye. */
+  get direction() {
+    return this.camera.position.clone().sub(this.target);
+  }
+
   /** Of a plan, from where the eye would see as much. */
   get distance_m() {
     return this.isPlan ? 1 / this.plan.zoom : this.camera.position.distanceTo(this.target);
@@ -103,7 +108,7 @@ export class Viewpoint extends EventTarget {
   /** Shows a whole box from where one looks now. */
   show(box) {
     this.leavePlan();
-    this.fit(box, this.camera.position.clone().sub(this.target));
+    this.fit(box, this.direction);
   }
 
   /** Shows a whole box as on a plan: what stands on the same place is seen at the same place, be it high or low. */
@@ -175,7 +180,7 @@ export class Viewpoint extends EventTarget {
 
   orbit(around_rad, up_rad) {
     this.leavePlan();
-    const arm = this.camera.position.clone().sub(this.target).applyQuaternion(TO_Y_UP);
+    const arm = this.direction.applyQuaternion(TO_Y_UP);
     const spherical = new Spherical().setFromVector3(arm);
     spherical.theta += around_rad;
     const lowest = this.controls.maxPolarAngle;
@@ -206,7 +211,7 @@ export class Viewpoint extends EventTarget {
       this.lookDown(this.target.clone(), this.distance_m * factor);
       return;
     }
-    const arm = this.camera.position.clone().sub(this.target);
+    const arm = this.direction;
     const distance_m = Math.min(Math.max(arm.length() * factor, NEAREST_M), FARTHEST_M);
     this.lookFrom(this.target.clone(), arm, distance_m);
   }

@@ -29,6 +29,10 @@ class Scan:
     angles_rad: List[float]
     sent_mm: List[int]  # ranges_m with the codes
 
+    def __repr__(self) -> str:
+        """One line: pytest shows it in each assertion that fails."""
+        return _told(f"Scan of {self.sensor} at {self.stamp_ms} ms", self.ranges_m, self.nearest())
+
     def nearest(self) -> Optional[Seen]:
         """None: it has no range at all."""
         ranges = [(r, a) for r, a in zip(self.ranges_m, self.angles_rad) if r is not None]
@@ -52,6 +56,9 @@ class Truth:
     time_s: float
     raw: Dict[str, Any]  # all of it, as the control API tells it
 
+    def __repr__(self) -> str:
+        return _told(f"Truth of {self.sensor} at {self.time_s:.3f} s", self.ranges_m, self.nearest())
+
     def nearest(self) -> Optional[Seen]:
         """What is nearest. None: no beam met anything."""
         angles = self.angles_rad or [math.nan] * len(self.ranges_m)
@@ -64,6 +71,13 @@ class Truth:
         i = nearest_step(self.angles_rad, angle_rad)
         range_m = self.ranges_m[i]
         return None if range_m is None else Seen(range_m, self.angles_rad[i], self.objects[i], self.materials[i])
+
+
+def _told(what: str, ranges_m: List[Optional[float]], nearest: Optional[Seen]) -> str:
+    if nearest is None:
+        return f"<{what}: {len(ranges_m)} steps, no range>"
+    seen = f"{nearest.range_m:.3f} m at {nearest.angle_rad:.2f} rad"
+    return f"<{what}: {len(ranges_m)} steps, the nearest {seen}{f', {nearest.object}' if nearest.object else ''}>"
 
 
 def nearest_step(angles_rad: List[float], angle_rad: float) -> int:

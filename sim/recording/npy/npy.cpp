@@ -2,14 +2,13 @@
 // Copyright The scipd authors
 #include "sim/recording/npy/npy.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "sim/recording/file/byte_reader.h"
 #include "sim/recording/npy/npy_header.h"
+#include "sim/recording/values/range_unit.h"
 
 namespace scipd::sim {
 namespace {
@@ -38,14 +37,6 @@ double take_number(ByteReader& reader, const NpyHeader& header) {
         default:
             return take_integer<std::uint64_t>(reader, is_signed);
     }
-}
-
-/// No range in metres is as large as most in millimetres, or as the codes among them.
-RangeUnit likely_unit(const NpyHeader& header, const std::vector<double>& ranges) {
-    constexpr double too_far_m = 1000;
-    const bool large = std::ranges::any_of(
-        ranges, [](double range) { return std::isfinite(range) && range > too_far_m; });
-    return large || header.kind != 'f' ? RangeUnit::millimetres : RangeUnit::metres;
 }
 
 /// How an array is cut into scans.
@@ -105,9 +96,16 @@ class Npy final : public Recording {
             scan.ranges.push_back(take_number(reader, header_));
             if (layout_.values > 1) scan.intensities.push_back(take_number(reader, header_));
         }
-        if (given_ == 1) unit_ = likely_unit(header_, scan.ranges);
+        if (given_ == 1) guess_unit(scan.ranges);
         scan.unit = unit_;
         return scan;
+    }
+
+    void guess_unit(const std::vector<double>& ranges) {
+        LikelyUnit likely;
+        for (const double range : ranges)
+            likely.show(range, header_.kind == 'f');
+        unit_ = likely.unit();
     }
 
     InputFile file_;

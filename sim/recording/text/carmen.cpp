@@ -56,6 +56,7 @@ class Carmen final : public TextRecording {
         scan.ranges = words.numbers(words.count());
         if (old) scan.directions = half_turn(scan.ranges.size());
         if (!old) read_remissions(words, scan);
+        if (kind != "RAWLASER") scan.pose = pose_in(words);
         // The line ends in the time of the message, the host, and the time since the log began.
         scan.host_time = host_time_in(words.from_end(2));
         if (words.wrong() || !scan.host_time)
@@ -74,13 +75,25 @@ class Carmen final : public TextRecording {
         return max_range_m;
     }
 
-    /// Logs of before 2005 have none, and a pose in their place.
+    /// Logs of before 2005 have no count of remissions, and the pose in its place; whether one of 0
+    /// is a count, only the length of the line tells.
     static void read_remissions(WordLine& words, RecordedScan& scan) {
+        constexpr std::size_t behind = 14;  // two poses, five figures, times and host
         WordLine ahead = words;
         const std::size_t count = ahead.count();
-        if (ahead.wrong() || count != scan.ranges.size()) return;
+        if (ahead.wrong()) return;
+        if (count == 0 && ahead.left() >= behind) words = ahead;
+        if (count != scan.ranges.size()) return;
         auto remissions = ahead.numbers(count);
-        if (!ahead.wrong() && ahead.left() >= 3) scan.intensities = std::move(remissions);
+        if (ahead.wrong() || ahead.left() < 3) return;
+        scan.intensities = std::move(remissions);
+        words = ahead;
+    }
+
+    /// The laser's own, which stands before the robot's.
+    static std::optional<LaserPose> pose_in(WordLine words) {
+        const LaserPose pose{words.number(), words.number(), words.number()};
+        return words.wrong() || words.left() < 3 ? std::nullopt : std::optional(pose);
     }
 
     std::size_t stream_of(const std::string& message, double max_range_m) {

@@ -37,7 +37,8 @@ class Csv final : public TextRecording {
         if (!columns_)
             return refuse(
                 "there is no comment before it that names the columns: host_time_s, stamp_ms, "
-                "distance_mm_S and so on, as scipcat record writes them");
+                "distance_mm_S and so on, as scipcat record writes them; a table of ranges, a "
+                "scan a row, is read with range_0,range_1,... above it or without names");
         auto scan = columns_->scan_of(line);
         if (!scan) return tl::unexpected(scan.error());
         scan->directions = directions_;

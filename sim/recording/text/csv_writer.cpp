@@ -78,7 +78,7 @@ std::string CsvWriter::head(const RecordedScan& scan) const {
     std::ostringstream text;
     text << "# " << identity_.model << ", serial " << identity_.serial << ", firmware "
          << identity_.firmware << ", recorded by " << recorder_ << "\n"
-         << "# A row is a scan. host_time_s: when it had arrived, Unix time in seconds. stamp_ms: "
+         << "# A row is a scan. host_time_s: its time on the host, Unix time in seconds. stamp_ms: "
             "the scanner's clock at step 0, in milliseconds, 24 bits.\n"
          << "# distance_mm_S: the nearest return of steps S to S+" << cluster - 1
          << ", in millimetres; what is not within "

@@ -48,7 +48,8 @@ class Player final : public TextRecording {
 
     Next take_scan(WordLine& words, const std::string& index, HostTime time, bool with_pose) {
         RecordedScan scan{.host_time = time, .unit = RangeUnit::metres};
-        words.skip(with_pose ? 4 : 1);  // the number of the scan, and the pose
+        words.skip(1);  // the number of the scan
+        if (with_pose) scan.pose = {words.number(), words.number(), words.number()};
         scan.directions.first_rad = words.number();
         words.skip(1);  // the last angle
         scan.directions.increment_rad = words.number();

@@ -32,11 +32,21 @@ enum class RangeUnit {
     metres,       ///< NaN and infinities stand for "no distance"
 };
 
+/// Where a laser was, in the plane and counter-clockwise: by its robot's odometry, or as a program
+/// that makes maps has corrected that.
+struct LaserPose {
+    double x_m = 0.0;
+    double y_m = 0.0;
+    double yaw_rad = 0.0;
+    bool operator==(const LaserPose&) const = default;
+};
+
 struct RecordedScan {
     std::optional<HostTime> host_time;      ///< when it came, or when it was measured if known
     std::optional<std::uint32_t> stamp_ms;  ///< the scanner's clock at step 0: 24 bits, or...
     std::optional<std::uint64_t> stamp_us;  ///< ...microseconds
     Directions directions;
+    std::optional<LaserPose> pose;  ///< of its step 0, in the recording's own frame
     RangeUnit unit = RangeUnit::millimetres;
     /// Of each step, all echoes near to far; the next step's follow.
     std::vector<double> ranges;
@@ -69,5 +79,9 @@ struct RecordedScan {
         return std::span(values).subspan(begin, end - begin);
     }
 };
+
+/// Scanners that hang upside down look the other way round, and their drivers tell angles that go
+/// down. The same scan with its steps counter-clockwise.
+[[nodiscard]] RecordedScan counter_clockwise(RecordedScan scan);
 
 }  // namespace scipd::sim

@@ -41,7 +41,7 @@ class Recording {
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
 
-    /// "mcap", "bag", "db3", "ubh", "csv", "jsonl", "carmen", "player", "npy" or "pcap".
+    /// "mcap", "bag", "db3", "ubh", "csv", "jsonl", "rows", "carmen", "player", "npy" or "pcap".
     [[nodiscard]] const std::string& format() const { return format_; }
 
     /// Those that have been met so far; all of them once next() has returned nothing. The identity

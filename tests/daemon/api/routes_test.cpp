@@ -285,8 +285,8 @@ TEST_F(RoutesTest, AWrongMethodIsToldTheRightOnes) {
     api_.report_ = busy_report();
     const std::pair<const char*, const char*> table[] = {
         {"/status", "GET"},
-        {"/sensors", "GET"},
-        {"/sensors/rescue/front", "GET, PATCH"},
+        {"/sensors", "GET, POST"},
+        {"/sensors/rescue/front/replay", "GET, PATCH"},
         {"/robots/rescue/pose", "GET, PUT"},
         {"/scene", "GET, PUT"},
         {"/scene/models", "POST"},

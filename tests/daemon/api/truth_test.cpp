@@ -159,6 +159,28 @@ TEST_F(TruthTest, HasTheEchoesOfAScannerThatSeesLight) {
     client_.reset();  // before its device
 }
 
+// Of a curve so steep that the range which was read has another bias.
+TEST_F(TruthTest, HasTheBiasOfTheTrueRange) {
+    for (const auto accuracy : {sim::Accuracy::sensor, sim::Accuracy::material}) {
+        SensorConfig config = ideal_sensor();
+        config.accuracy = accuracy;
+        config.model.own_bias = true;
+        config.model.optics.bias = {{0.0, 0.0}, {10.0, 1.0}};
+        config.model.optics.receiver.walk_m = 0.0;
+        Device device{"robot", config, 1, world_, clock_};
+        client_ = device.connect([] {}, protocol::LinkKind::network);
+        client_->receive("MD0540054000000\n");
+        const std::int64_t revolution = device.next_revolution();
+        clock_.advance_to(device.leaves(revolution));
+        device.turn_complete(revolution);
+        const json said = json::parse(truth_text("robot/scanner", *device.log().latest()));
+        EXPECT_NEAR(said["true_m"][540], 4.0, 1e-5);
+        EXPECT_NEAR(said["read_m"][540], 4.4, 0.03);
+        EXPECT_NEAR(said["bias_m"][540], 0.4, 1e-4) << static_cast<int>(accuracy);
+        client_.reset();  // before its device
+    }
+}
+
 // From the origin to the left at 1 m/s.
 TEST_F(TruthTest, HasAPoseForEachFan) {
     (void)world_.place_robot("robot", {.time = 0s, .pose = {}});

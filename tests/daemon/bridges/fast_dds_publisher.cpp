@@ -2,50 +2,19 @@
 // Copyright The scipd authors
 #include "tests/daemon/bridges/fast_dds_publisher.h"
 
-#include <cstring>
-
-#include <fastcdr/Cdr.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
+
+#include "tests/daemon/bridges/fast_dds_bytes.h"
 
 namespace scipd::tests {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
 using eprosima::fastcdr::Cdr;
-using eprosima::fastrtps::rtps::SerializedPayload_t;
-
-/// Whatever type, as bytes.
-class BytesType : public dds::TopicDataType {
-  public:
-    explicit BytesType(const std::string& name) {
-        setName(name.c_str());
-        m_typeSize = 1 << 20U;
-        m_isGetKeyDefined = false;
-    }
-
-    bool serialize(void* data, SerializedPayload_t* payload) override {
-        const auto& bytes = *static_cast<std::string*>(data);
-        payload->length = static_cast<std::uint32_t>(bytes.size());
-        payload->encapsulation = bytes[1] == 1 ? CDR_LE : CDR_BE;
-        std::memcpy(payload->data, bytes.data(), bytes.size());
-        return true;
-    }
-    bool deserialize(SerializedPayload_t*, void*) override { return false; }
-    std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-        return
-            [data] { return static_cast<std::uint32_t>(static_cast<std::string*>(data)->size()); };
-    }
-    void* createData() override { return new std::string; }
-    void deleteData(void* data) override { delete static_cast<std::string*>(data); }
-    bool getKey(void*, eprosima::fastrtps::rtps::InstanceHandle_t*, bool) override { return false; }
-};
 
 std::string dds_name_of(const std::string& type) {
     const auto slash = type.find('/');
@@ -58,8 +27,8 @@ dds::DomainParticipantQos on_this_machine() {
     udp->interfaceWhiteList.emplace_back("127.0.0.1");
     qos.transport().use_builtin_transports = false;
     qos.transport().user_transports.push_back(udp);
-    eprosima::fastrtps::rtps::Locator_t here;
-    eprosima::fastrtps::rtps::IPLocator::setIPv4(here, 127, 0, 0, 1);
+    fast_rtps::Locator_t here;
+    fast_rtps::IPLocator::setIPv4(here, 127, 0, 0, 1);
     qos.wire_protocol().builtin.initialPeersList.push_back(here);
     return qos;
 }
@@ -68,10 +37,10 @@ dds::DomainParticipantQos on_this_machine() {
 template <class Write>
 std::string written(Write write, Cdr::Endianness order = Cdr::LITTLE_ENDIANNESS) {
     eprosima::fastcdr::FastBuffer buffer;
-    Cdr cdr(buffer, order, Cdr::DDS_CDR);
+    Cdr cdr(buffer, order, plain_cdr);
     cdr.serialize_encapsulation();
     write(cdr);
-    return {buffer.getBuffer(), cdr.getSerializedDataLength()};
+    return {buffer.getBuffer(), length_of(cdr)};
 }
 
 void write_header(Cdr& cdr, const WrittenTransform& pose) {
@@ -109,8 +78,7 @@ FastDdsPublisher::FastDdsPublisher(int domain, const std::string& topic, const s
                                                     : dds::VOLATILE_DURABILITY_QOS;
     qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
     qos.history().depth = 1000;
-    qos.endpoint().history_memory_policy =
-        eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+    qos.endpoint().history_memory_policy = fast_rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
     parts_->writer = parts_->publisher->create_datawriter(parts_->topic, qos);
 }
 

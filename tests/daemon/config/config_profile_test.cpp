@@ -287,15 +287,23 @@ TEST_F(ConfigProfileFaults, OfRareCodes) {
 }
 
 TEST_F(ConfigProfileFaults, OfErrorsAndLight) {
-    EXPECT_THAT(said("bias: [{range_m: 2}, {range_m: 1}]"), ElementsAre("bias: range_m must grow"));
+    EXPECT_THAT(said("bias: [{range_m: 2, bias_m: 0}, {range_m: 1, bias_m: 0}]"),
+                ElementsAre("bias: range_m must grow"));
+    EXPECT_THAT(said("bias: [{range_m: 2}]"), ElementsAre("bias: needs bias_m"));
+    EXPECT_THAT(said("rare_codes: [{inside: 0.1}]"), ElementsAre("rare_codes: needs code"));
+    EXPECT_THAT(said("light: {intensity: [{range_m: 1}]}"),
+                ElementsAre("light.intensity: needs intensity"));
+    EXPECT_THAT(said("light: {intensity_noise: [{share: 0.1}]}"),
+                ElementsAre("light.intensity_noise: needs intensity"));
     EXPECT_THAT(said("lost_share: 2"), ElementsAre("lost_share: must be 0 to 1, not '2'"));
     EXPECT_THAT(said("spot: {rays: 5}"),
                 ElementsAre("spot.rays: must be 1, 7 or 13 rays for a beam, not '5'"));
     EXPECT_THAT(said("spot: {half_width_mrad: 90}"),
                 ElementsAre("spot.half_width_mrad: must be 0 to 50 milliradians, not '90'"));
     EXPECT_THAT(said("light: {wavelength_nm: 10}"), testing::SizeIs(1));
-    EXPECT_THAT(said("light: {intensity: [{range_m: 1}, {range_m: 1}]}"),
-                ElementsAre("light.intensity: range_m must grow"));
+    EXPECT_THAT(
+        said("light: {intensity: [{range_m: 1, intensity: 9}, {range_m: 1, intensity: 9}]}"),
+        ElementsAre("light.intensity: range_m must grow"));
     EXPECT_THAT(said("light: {colour: red}"),
                 ElementsAre(testing::StartsWith("light.colour: unknown key")));
 }

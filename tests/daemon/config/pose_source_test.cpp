@@ -13,6 +13,7 @@ namespace scipd::daemon {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using PoseSourceTest = ConfigFixture;
 
 TEST_F(PoseSourceTest, ReadsWhichTopicAndFramesOfRos2MoveARobot) {
@@ -44,6 +45,18 @@ TEST_F(PoseSourceTest, RefusesTopicsAndFramesOfNothing) {
                 ElementsAre(place + ".ros2: needs topic: /TOPIC"));
     EXPECT_THAT(faults_of("{from: 'udp:127.0.0.1:1', ros2: {child: base}}"),
                 ElementsAre(place + ".ros2: goes with from: ros2:/TOPIC, or rosbridge:"));
+}
+
+TEST_F(PoseSourceTest, SaysWhichSourcesThereAreWhereOneIsMisspelt) {
+    const auto faults_of = [&](const std::string& poses) {
+        return faults("robots: {r: {poses: '" + poses +
+                      "', sensors: {s: {model: UST-10LX, tcp: '127.0.0.1:0'}}}}")
+            .at(0);
+    };
+    EXPECT_THAT(faults_of("gazebo:/poses"),
+                EndsWith("gazebo:/poses', and no source 'gazebo:'; there are udp:, gz:, ros2:, "
+                         "rosbridge: and vda5050:"));
+    EXPECT_THAT(faults_of("drive.tum"), EndsWith("drive.tum'"));
 }
 
 TEST_F(PoseSourceTest, ReadsWhichTopicAndNameOfGazeboMoveARobot) {

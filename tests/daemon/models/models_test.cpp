@@ -92,9 +92,30 @@ TEST_P(EveryModel, SaysHowSureEachFigureIs) {
                     "MODEL +LINKS +RANGE mm +STEPS +SCANS\n"
                     "[^ ]+@[^ ]+  (USB|USB, RS-232|Ethernet) +[0-9]+-[0-9]+ +[0-9]+-[0-9]+ "
                     "of [0-9]+ +[0-9.]+ Hz\n\n"
-                    "MODEL +COMMANDS\n[^ ]+@[^ ]+  VV PP II [^\n]+\n\n[^\n]+\n[^\n]+\n[^\n]+\n\n"
+                    "MODEL +COMMANDS\n[^ ]+@[^ ]+  VV PP II [^\n]+\n\n"
+                    "MODEL +CODES +TURN +SCAN LEAVES +BOOT\n[^ ]+@[^ ]+  [0-9 ()]+  [0-9.]+ ms  "
+                    "[^\n]+ +[0-9]+ s\n\n[^\n]+\n[^\n]+\n[^\n]+\n\n"
                     "MODEL +LINKS +RANGE +STEPS +SCANS +COMMANDS +TEXTS +NOISE +BIAS +LIGHT\n" +
-                    row + "\n"));
+                    row + "\n\nMODEL +CODES +TURN +SCAN LEAVES +BOOT\n[^ ]+@[^ ]+" + sure + sure +
+                    sure + sure + "\n"));
+}
+
+TEST(ListOfModels, ListsCodesAndTimes) {
+    const std::vector<Model> three{find_model("URG-04LX@3.1.04"), find_model("UXM-30LX-E"),
+                                   find_model("UST-30LC@4.0.2-A")};
+    EXPECT_THAT(
+        list_of(three),
+        testing::HasSubstr(
+            "MODEL              CODES                        TURN      SCAN LEAVES         BOOT\n"
+            "URG-04LX@3.1.04    0 7 9 10 18 19 (1 2 6 8 15)  99.8 ms   every turn          1 s\n"
+            "UXM-30LX-E@0.3.01  1 2 3 5                      49.67 ms  every 2 turns       1 s\n"
+            "UST-30LC@4.0.2-A   4 65533                      25.05 ms  at once, tick 5 ms  10 "
+            "s\n"));
+    EXPECT_THAT(list_of(three),
+                testing::EndsWith("MODEL              CODES     TURN  SCAN LEAVES  BOOT\n"
+                                  "URG-04LX@3.1.04    measured  seen  seen         assumed\n"
+                                  "UXM-30LX-E@0.3.01  ded       seen  seen         assumed\n"
+                                  "UST-30LC@4.0.2-A   ded       doc   doc          assumed\n"));
 }
 
 TEST(ListOfModels, ListsTheCommandsThatAreCarriedOut) {
@@ -111,7 +132,7 @@ TEST(ListOfModels, ListsTheCommandsThatAreCarriedOut) {
                     "UST-30LC@4.1.0b-A  VV PP II %ST BM QT %SL RS RT RB GD GE MD ME TM0 TM1 TM2 "
                     "%MD %ME %TM1 $IP\n"));
     EXPECT_THAT(list_of(two),
-                testing::EndsWith(
+                testing::HasSubstr(
                     "MODEL              LINKS  RANGE  STEPS  SCANS  COMMANDS  TEXTS  NOISE     "
                     "BIAS     LIGHT\n"
                     "URG-04LX@3.1.04    doc    seen   seen   seen   doc       seen   measured  "

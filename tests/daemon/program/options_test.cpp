@@ -304,10 +304,36 @@ TEST_F(OptionsTest, CheckSaysWhereLaserRetroCountsForNothing) {
                           .string())
             .text;
     };
-    const std::string line = "laser_retro of " + world.string() +
-                             " counts at accuracy: material only, and no scanner has that\n";
+    const std::string line = "laser_retro and materials of " + world.string() +
+                             " count at accuracy: material only, and no scanner has that\n";
     EXPECT_THAT(check("sensor"), testing::HasSubstr(line));
     EXPECT_THAT(check("material"), testing::Not(testing::HasSubstr("laser_retro")));
+}
+
+TEST_F(OptionsTest, CheckSaysWhereMaterialsOfAWorldCountForNothing) {
+    const auto world = [&](const std::string& material) {
+        dir_.write("named.sdf", room("<box><size>1 1 1</size></box>",
+                                     "<scipd:material xmlns:scipd='urn:scipd:sdf'>" + material +
+                                         "</scipd:material>"));
+        return answer("--check " + dir_.write("named.yaml",
+                                              "scene: named.sdf\nrobots: {r: {sensors: {s: "
+                                              "{model: UST-20LX, pty: auto}}}}\n")
+                                       .string())
+            .text;
+    };
+    EXPECT_THAT(world("glass"), testing::HasSubstr("the materials of "));
+    EXPECT_THAT(world("Made/Up"), testing::Not(testing::HasSubstr("the materials of ")));
+}
+
+TEST_F(OptionsTest, CheckSaysWhereErrorsAreOfARecording) {
+    const auto recording = dir_.write("scans.csv", "1000 2000\n1000 2000\n");
+    const std::string text =
+        answer("--check " + dir_.write("played.yaml",
+                                       "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto, "
+                                       "replay: scans.csv, noise: 2}}}}\n")
+                                .string())
+            .text;
+    EXPECT_THAT(text, testing::HasSubstr("noise: a recording has the errors of its own scanner"));
 }
 
 TEST_F(OptionsTest, CheckTellsFaultsOfTheWorldAndOfTrajectories) {

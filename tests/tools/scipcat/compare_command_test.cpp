@@ -4,6 +4,7 @@
 // `scipcat compare` as a user calls it: scanners, recordings, reports, exit codes.
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ namespace scipd::tests {
 namespace {
 
 using nlohmann::json;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -107,6 +109,68 @@ TEST(ScipcatCompare, WritesReports) {
     EXPECT_EQ(json::parse(text_of(directory.path() / "report.json")).at("verdict"), "differ");
 }
 
+/// Twenty scans, each a line of JSON; `reading` is of a scan and a step.
+std::filesystem::path write_scans(const TempDir& directory, const char* name,
+                                  const std::function<int(int, int)>& reading, int light = 500) {
+    const auto file = directory.path() / name;
+    std::ofstream out(file);
+    for (int scan = 0; scan < 20; ++scan) {
+        json object{{"first_angle_rad", -1}, {"angle_increment_rad", 0.01}};
+        object["stamp_ms"] = 25 * scan;
+        for (int step = 0; step < 200; ++step) {
+            object["distances_mm"].push_back(reading(scan, step));
+            object["intensities"].push_back(light);
+        }
+        out << object << '\n';
+    }
+    return file;
+}
+
+/// A few millimetres that no two scans share.
+int noise_mm(int scan, int step) {
+    return (scan * 7919 + step * 104729) % 11 - 5;
+}
+
+void expect_numbers(const std::vector<std::string>& arguments) {
+    const TempDir directory;
+    const auto page = directory.path() / "report.html";
+    std::vector<std::string> with_page{"compare", "-o", page};
+    with_page.insert(with_page.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = run_scipcat(with_page);
+    EXPECT_LE(outcome.exit_code, 1) << outcome.err;
+    for (const std::string& text : {outcome.out, text_of(page)})
+        EXPECT_THAT(text, Not(ContainsRegex("(^|[ >+-])(nan|inf)([ <%]|$)")));
+}
+
+// A robot that comes and goes: neither half of its scans says how well a step repeats.
+TEST(ScipcatCompare, SaysWhyADriveHasNoFloor) {
+    const TempDir directory;
+    const auto drive = write_scans(directory, "drive.jsonl", [](int scan, int step) {
+        return 1000 + 500 * (scan % 3 == 2) + noise_mm(scan, step);
+    });
+    const Outcome outcome = run_scipcat({"compare", drive, drive});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("The floor is not known: no step of A looks at one surface "
+                                       "that stands still."));
+    EXPECT_THAT(outcome.out, ContainsRegex("  range .* not known\n"));
+    expect_numbers({drive, drive});
+    const json floor = json::parse(run_scipcat({"compare", drive, drive, "--json"}).out)["floor"];
+    EXPECT_TRUE(floor.at("mean_mm").is_null());
+    EXPECT_THAT(floor.at("why").get<std::string>(), StartsWith("The floor is not known"));
+}
+
+TEST(ScipcatCompare, TakesNoMultipleOfNothing) {
+    const TempDir directory;
+    const auto ideal = write_scans(
+        directory, "ideal.jsonl", [](int, int) { return 1000; }, 0);
+    const auto real = write_scans(directory, "real.jsonl",
+                                  [](int scan, int step) { return 1000 + noise_mm(scan, step); });
+    expect_numbers({ideal, real});
+    const Outcome outcome = run_scipcat({"compare", ideal, real});
+    EXPECT_THAT(outcome.out, HasSubstr("steps 0–199 brighter: 500 instead of 0\n"));
+    EXPECT_THAT(outcome.out, ContainsRegex("  range .* 0.00 mm\n"));  // its halves are the same
+}
+
 TEST(ScipcatCompare, RefusesWhatCannotBeCompared) {
     const TempDir directory;
     const auto room = record_room(directory, "room.csv");
@@ -115,14 +179,16 @@ TEST(ScipcatCompare, RefusesWhatCannotBeCompared) {
     const Outcome few = run_scipcat({"compare", room, brief});
     EXPECT_EQ(few.exit_code, 2);
     EXPECT_EQ(few.err, "scipcat: " + brief.string() +
-                           " has 1 scans that differ; at least 4 are needed, and 100 are "
-                           "better\n");
+                           " has 1 scan; at least 4 are needed, and 100 are better\n");
     const Outcome nobody = run_scipcat({"compare", room, "tcp://127.0.0.1:1"});
     EXPECT_EQ(nobody.exit_code, 2);
     EXPECT_THAT(nobody.err, StartsWith("scipcat: tcp://127.0.0.1:1: "));
     const Outcome wrong = run_scipcat({"compare", room, room, "-o", "report.gif"});
     EXPECT_EQ(wrong.exit_code, 2);
     EXPECT_THAT(wrong.err, HasSubstr("ends in none of .html, .png and .json"));
+    const Outcome part = run_scipcat({"compare", room, room, "--start", "400"});
+    EXPECT_EQ(part.exit_code, 2);
+    EXPECT_THAT(part.err, HasSubstr("a recording is there already: leave them out"));
     const Outcome stream = run_scipcat({"compare", room, room, "--stream-b", "rear"});
     EXPECT_EQ(stream.exit_code, 2);
     EXPECT_THAT(stream.err, HasSubstr("has no stream \"rear\" with scans; it has "));

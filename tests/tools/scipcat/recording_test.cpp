@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -212,6 +213,29 @@ TEST(ScipcatRecordingInfo, TellsOfGaps) {
     EXPECT_THAT(run_scipcat({"info", file}).out, HasSubstr("  gaps        0.100 s after scan 3\n"));
 }
 
+// As where a scanner was switched off and on, or a replay begins its round again.
+TEST(ScipcatRecordingInfo, TakesNoClockThatBeganAgainForOneThatWrapped) {
+    std::string lines;
+    for (const int stamp : {16777200, 16777208, 0, 8, 9000, 9008, 100, 108})
+        lines += "{\"stamp_ms\":" + std::to_string(stamp) + ",\"distances_mm\":[1]}\n";
+    const TempDir directory;
+    const auto file = directory.write("again.jsonl", lines);
+    const Outcome outcome = run_scipcat({"info", file, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto document = nlohmann::json::parse(outcome.out);
+    EXPECT_NEAR(document.at("seconds").get<double>(), 0.008 * 5 + 8.992, 1e-9);
+    ASSERT_EQ(document.at("gaps").size(), 1U);
+    EXPECT_EQ(document.at("gaps").at(0).at("after_scan"), 4);
+}
+
+TEST(ScipcatRecordingInfo, SaysWhatATableWasTakenFor) {
+    const TempDir directory;
+    const auto file = directory.write("table.csv", "-90,0,90,180\n1.5,2.5,0.5,3.5\n");
+    EXPECT_THAT(run_scipcat({"info", file}).out,
+                HasSubstr("scanner (rows of numbers under angles in degrees, taken for metres)\n"
+                          "  scans       1 of 4 steps\n"));
+}
+
 TEST(ScipcatRecordingInfo, RefusesWhatIsNone) {
     const TempDir directory;
     const auto file = directory.write("letter.txt", "Dear reader,\n");
@@ -234,6 +258,40 @@ TEST(ScipcatRecordingPlot, DrawsAScan) {
     EXPECT_THAT(run_scipcat({"plot", file, "--scan", "5"}).err, HasSubstr("has 4 scans"));
     EXPECT_THAT(run_scipcat({"plot", file, "--color", "error"}).err,
                 HasSubstr("need a scanner of a scipd"));
+}
+
+/// The marks of an SVG, without its words.
+std::vector<std::string> points_in(const std::filesystem::path& picture) {
+    std::ifstream in(picture);
+    std::vector<std::string> points;
+    for (std::string line; std::getline(in, line);) {
+        if (line.find("<path") != line.npos) points.push_back(line);
+    }
+    EXPECT_THAT(points, SizeIs(testing::Gt(600)));
+    return points;
+}
+
+// A table looks as the recording that it was cut from.
+TEST(ScipcatRecordingPlot, DrawsATableAsOfAModel) {
+    const TempDir directory;
+    const auto whole = record(directory, "URG-04LX", "room.jsonl");
+    std::string row;
+    for (const double range_mm : room_ranges(profile_of("URG-04LX")))
+        row += std::to_string(static_cast<int>(range_mm)) + ' ';
+    const auto table = directory.write("table.txt", row + "\n");
+    const auto picture_of = [&](const std::vector<std::string>& words) {
+        const auto file = directory.path() / "plot.svg";
+        std::vector<std::string> all = {"plot", "-o", file, "--title", "one"};
+        all.insert(all.end(), words.begin(), words.end());
+        const Outcome outcome = run_scipcat(all);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return points_in(file);
+    };
+    EXPECT_EQ(picture_of({table, "--model", "URG-04LX"}), picture_of({whole}));
+    EXPECT_THAT(run_scipcat({"plot", table}).err, HasSubstr("name the model that it was recorded"));
+    EXPECT_THAT(run_scipcat({"plot", table, "--model", "UST-10LX"}).err,
+                HasSubstr("where its 682 values look, and UST-10LX has 1081 steps"));
+    EXPECT_THAT(run_scipcat({"plot", table, "--model", "UST"}).err, HasSubstr("UST-10LX"));
 }
 
 }  // namespace

@@ -106,6 +106,7 @@ daemon::RigReport ControlStandIn::report() const {
                                   .tcp = "127.0.0.1:10940",
                                   .pty = {},
                                   .clients = 1,
+                                  .faults = {"stall", "cut", "stall"},
                                   .counts = {.scans = 4000, .lost = 2},
                                   .stream_lost = 3});
     }

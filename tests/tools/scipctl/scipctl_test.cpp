@@ -40,7 +40,7 @@ TEST(Scipctl, ShowsTheStatus) {
     EXPECT_THAT(outcome.out,
                 HasSubstr("poses   7 accepted, 1 refused (the last: xyz is missing)\n"));
     EXPECT_THAT(outcome.out,
-                HasSubstr("rescue/front  UST-10LX  embree   streaming  1        4000   "
+                HasSubstr("rescue/front  UST-10LX  embree   streaming  cut, stall  1        4000   "
                           "2     3            - / - / -            127.0.0.1:10940  -\n"));
 }
 

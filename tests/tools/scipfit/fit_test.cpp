@@ -5,8 +5,10 @@
 // is not known.
 #include "tools/scipfit/fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -14,6 +16,7 @@
 #include "tests/tools/scipfit/synthetic_scanner.h"
 #include "tools/options.h"
 #include "tools/scipfit/fit_json.h"
+#include "tools/scipfit/fit_text.h"
 #include "tools/scipfit/known_length.h"
 
 namespace scipd::tests {
@@ -32,7 +35,8 @@ const daemon::Model& ust() {
 }
 
 Fit fit(const Readings& readings, const std::vector<tools::Length>& lengths = {}) {
-    return tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""), lengths);
+    return tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""),
+                              {.lengths = lengths});
 }
 
 std::vector<std::string> unknown_of(const Fit& fit) {
@@ -54,22 +58,13 @@ Readings standing(int scans, bool with_light = false, const Room& room = {},
     return readings;
 }
 
-/// Only what these steps see is left.
-Readings only(Readings readings, std::size_t first, std::size_t last) {
-    for (std::size_t i = 0; i < readings.mm.size(); ++i) {
-        const std::size_t step = i % readings.steps;
-        if (step < first || step > last) readings.mm[i] = tools::as_code(65533);
-    }
-    return readings;
-}
-
 TEST(Fit, DoesNotTellOffsetOrScaleOfOneRoom) {
     const Fit found = fit(standing(100));
     EXPECT_THAT(unknown_of(found), IsSupersetOf({"offset", "scale", "angle_offset", "warm_up"}));
     EXPECT_THAT(unknown_of(found), Not(Contains("sigma")));
     const auto json = tools::as_json(found);
     EXPECT_TRUE(json["bias"].is_null());
-    EXPECT_FALSE(json["sigma"]["s0_mm"].is_null());
+    EXPECT_FALSE(json["sigma"]["steps"].empty());
 }
 
 TEST(Fit, TellsNoiseButNoPlaceOfOnePlane) {
@@ -91,8 +86,49 @@ TEST(Fit, TellsNoLawOfLightWithoutIntensities) {
     EXPECT_THAT(unknown_of(found), Contains("i0"));
     const auto json = tools::as_json(found);
     EXPECT_EQ(json["sigma"]["law"], "range");
+    EXPECT_TRUE(json["sigma"]["s0_mm"].is_null());
     EXPECT_TRUE(json["sigma"]["i0"].is_null());
     EXPECT_TRUE(json["intensity_noise"].empty());
+}
+
+/// At `accuracy: sensor` slanted walls are dimmer, but no noisier.
+TEST(Fit, TellsNoLawOfLightWhereNoiseGoesByTheRange) {
+    daemon::Model model = ust();
+    model.optics.receiver.dark_range_m = 6.0;
+    model.optics.noise_law = {.floor_m = 0.005, .weak = 1000.0};
+    for (const std::uint64_t seed : {5U, 6U}) {
+        SyntheticScanner scanner(model, {}, false, seed);
+        scanner.tell_intensities();
+        Readings readings = scanner.begin();
+        scanner.stand({.x_m = 0.4, .yaw_rad = 0.7}, 120, readings);
+        end_recording(readings);
+        const Fit found = fit(readings);
+        ASSERT_TRUE(found.noise);
+        EXPECT_FALSE(found.noise->model.by_intensity);
+        EXPECT_THAT(unknown_of(found), Contains("i0"));
+        EXPECT_TRUE(tools::as_json(found)["sigma"]["s0_mm"].is_null());
+    }
+}
+
+/// Of two stations the longest was recorded without intensities.
+TEST(Fit, TellsTheLawOfLightOfThoseThatHaveIntensities) {
+    SyntheticScanner scanner(ust(), {}, true, 5);
+    Readings readings = scanner.begin();
+    scanner.stand({}, 80, readings);
+    const std::size_t with_light = readings.mm.size();
+    scanner.stand({.x_m = 0.5, .yaw_rad = 1.0}, 120, readings);
+    end_recording(readings);
+    std::fill(readings.intensity.begin() + static_cast<std::ptrdiff_t>(with_light),
+              readings.intensity.end(), 0.0F);
+    testing::internal::CaptureStderr();
+    const Fit found = fit(readings);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");  // Ceres warns of what is not finite
+    ASSERT_TRUE(found.noise && found.noise->model.by_intensity && found.held_out);
+    EXPECT_NEAR(found.noise->s0_mm.value, 1000.0 * ust().optics.noise_law.floor_m, 0.3);
+    EXPECT_NEAR(found.noise->i0.value / ust().optics.noise_law.weak, 1.0, 0.1);
+    EXPECT_GT(found.noise->dimmest, 0.0);
+    EXPECT_NEAR(found.held_out->coverage_95, 0.95, 0.01);
+    EXPECT_GT(found.light.noise.front().intensity, 0.0);
 }
 
 // All faces are so bright that their noise is the floor's.
@@ -108,6 +144,14 @@ TEST(Fit, TellsNoLawOfLightThatDoesNotMatter) {
     ASSERT_TRUE(found.noise);
     EXPECT_FALSE(found.noise->model.by_intensity);
     EXPECT_NEAR(found.noise->s0_mm.value, 6.0, 0.1);
+}
+
+TEST(Fit, TellsDriftInScansWhereThereAreNoTimes) {
+    Readings readings = standing(100);
+    readings.period_s = 0.0;
+    std::ostringstream text;
+    tools::show(fit(readings), text);
+    EXPECT_THAT(text.str(), HasSubstr(" mm in 100 scans\n"));
 }
 
 TEST(Fit, TellsNoNoiseOfTenScans) {
@@ -197,6 +241,11 @@ TEST(Fit, RefusesLengthsThatCannotBe) {
             (void)fit(readings, {{500, 501, 6.0}});
         },
         ThrowsMessage<tools::WrongInput>(HasSubstr("name two that are far apart")));
+    EXPECT_THAT(
+        [&] {
+            (void)fit(readings, {{180, 900, 4000.0}});  // in millimetres
+        },
+        ThrowsMessage<tools::WrongInput>(HasSubstr("m between them, not 4000.000 m")));
     for (const char* text : {"", "180", "180:900", "a:900=3m", "180:900=-3m", "180:900=x"})
         EXPECT_THAT([&] { (void)tools::parse_length_between(text); },
                     ThrowsMessage<tools::WrongInput>(HasSubstr("must be STEP:STEP=METRES")))

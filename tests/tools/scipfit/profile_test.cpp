@@ -29,7 +29,7 @@ Fit fit_of(const char* model, bool with_light) {
 
 std::string profile_of(const Fit& fit) {
     std::ostringstream out;
-    write_profile(fit, "", out);
+    write_profile(fit, {}, out);
     return out.str();
 }
 
@@ -49,6 +49,22 @@ TEST(Profile, IsReadByScipdAsItWasFitted) {
     EXPECT_NEAR(optics.lattice_m, 0.0015, 1e-6);
     EXPECT_EQ(optics.receiver.intensity.size(), fit.light.by_range.size());
     EXPECT_EQ(optics.receiver.intensity_noise.size(), fit.light.noise.size());
+}
+
+/// As of a scanner that drove, or that was taken for another: at edges hardly anything but codes.
+TEST(Profile, IsReadByScipdWhateverCodesThereAre) {
+    Fit fit = fit_of("URG-04LX", false);
+    fit.codes.codes = {{0, {.inside = 1000, .beside = 100, .edge = 0}}};
+    for (std::uint32_t code = 1; code <= 70; ++code)
+        fit.codes.codes[code + 7000] = {.inside = 60, .beside = 60, .edge = 60};
+    fit.codes.all = {};
+    for (const auto& [code, counts] : fit.codes.codes) {
+        fit.codes.all.inside += counts.inside;
+        fit.codes.all.beside += counts.beside;
+        fit.codes.all.edge += counts.edge;
+    }
+    const auto config = daemon::parse_config(profile_of(fit), "profile.yaml");
+    EXPECT_EQ(config.robots.at(0).sensors.at(0).model.profile.rare_codes.size(), 64U);
 }
 
 TEST(Profile, HasNoiseByRangeWhereThatIsTheLaw) {

@@ -4,6 +4,7 @@
 // Recordings become readings: doubles go, codes stay, what does not belong together is refused.
 #include "tools/scipfit/read_readings.h"
 
+#include <cmath>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -82,6 +83,17 @@ TEST(ReadReadings, MakesCodesOfWhatIsNoDistance) {
     EXPECT_TRUE(is_distance(readings.mm[1]));
     EXPECT_TRUE(is_distance(readings.mm[2]));
     EXPECT_EQ(code_of(readings.mm[3]), 65533U);
+}
+
+TEST(ReadReadings, TakesRecordingsWithIntensitiesAndWithout) {
+    RecordedScan lit = scan({500, 600});
+    lit.intensities = {1200, std::nan("")};
+    const Readings behind = read(Scans({lit}), read(Scans({scan({500, 600})})));
+    EXPECT_TRUE(behind.has_intensities);
+    EXPECT_THAT(behind.intensity, ElementsAre(0, 0, 1200, 0));
+    const Readings before = read(Scans({scan({500, 600})}), read(Scans({lit})));
+    EXPECT_TRUE(before.has_intensities);
+    EXPECT_THAT(before.intensity, ElementsAre(1200, 0, 0, 0));
 }
 
 TEST(ReadReadings, RefusesWhatIsNotOfOneScanner) {

@@ -59,6 +59,25 @@ TEST(Room, HasItsWallsWhereTheyAre) {
     EXPECT_THAT(corner->end.y_m, DoubleNear(2.0, 0.005));
 }
 
+// What beams see that look into a corner lies on a line across it.
+TEST(Room, HasNoWallsAcrossItsCorners) {
+    int corners = 0;
+    for (const double yaw_rad : {0.2, 0.5, 0.9, 1.4}) {
+        const Room room{.length_m = 8.2, .width_m = 6.0};
+        const Seen seen = room_of(room, {.x_m = -0.9, .yaw_rad = yaw_rad}, true);
+        for (std::size_t i = 1; i < seen.walls.size(); ++i) {
+            const Wall& a = seen.walls[i - 1];
+            const Wall& b = seen.walls[i];
+            const double turn = std::abs(std::sin(a.normal_rad - b.normal_rad));
+            EXPECT_TRUE(turn < 0.05 || turn > 0.99) << yaw_rad << ", beam " << b.first;
+            if (turn < 0.5 || b.first > a.last + 10) continue;  // or hidden, or too dark
+            ++corners;
+            EXPECT_LT(std::hypot(b.begin.x_m - a.end.x_m, b.begin.y_m - a.end.y_m), 0.001);
+        }
+    }
+    EXPECT_GE(corners, 8);
+}
+
 TEST(Room, ExplainsWhatIsSeen) {
     Room room;
     room.things = {{1.0, 1.2, 0.3}, {-0.5, -1.5, 0.2}};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string_view>
 
 #include "daemon/models/model_registry.h"
 #include "tests/tools/scipfit/synthetic_scanner.h"
@@ -134,14 +135,34 @@ class Judge {
         if (std::abs(fit_.lattice.spacing_mm - 1000.0 * optics_.lattice_m) > 0.01)
             ++result_.wrong_lattice;
         if (fit_.drift) hold("drift", fit_.drift->mm, 0.0);
-        if (!fit_.bias.empty()) ++result_.unknown_told;
-        const auto names_offset = [](const tools::Unknown& one) {
-            return one.parameter == "offset";
-        };
-        if (std::ranges::none_of(fit_.unknown, names_offset)) ++result_.unknown_told;
+        judge_bias();
+    }
+
+    /// Several stations of one room may tell the bias but for a slope, and never the scale.
+    void judge_bias() {
+        if (!names("scale")) ++result_.unknown_told;
+        const bool told = fit_.calibration && fit_.calibration->offset_mm;
+        if (told == names("offset")) ++result_.unknown_told;
+        if (!fit_.calibration || !fit_.calibration->but_for_slope) {
+            if (!fit_.bias.empty() || told) ++result_.unknown_told;
+            return;
+        }
+        const std::vector<double>& knots_mm = fit_.calibration->fit.knots_mm;
+        std::vector<double> truth;
+        for (const double knot_mm : knots_mm)
+            truth.push_back(1000.0 * optics_.bias_m(knot_mm / 1000.0));
+        const tools::LineThrough line = tools::line_through(knots_mm, truth);
+        if (told) hold("offset", *fit_.calibration->offset_mm, line.at_zero);
+        for (std::size_t i = 0; i < knots_mm.size(); ++i)
+            hold("bias but for a slope", fit_.bias[i].bias_mm, line.at_zero + line.left[i]);
     }
 
   private:
+    [[nodiscard]] bool names(std::string_view parameter) const {
+        return std::ranges::any_of(
+            fit_.unknown, [&](const tools::Unknown& one) { return one.parameter == parameter; });
+    }
+
     void hold(const std::string& parameter, const Interval& interval, double truth) {
         Hits& hits = result_.parameters[parameter];
         ++hits.all;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// `scipfit_round_trips [COUNT]`: fits so many synthetic recordings, 200 by default, and prints how
-// often the truth lies within the intervals.
+// `scipfit_round_trips [COUNT [FIRST]]`: fits so many synthetic recordings, 200 by default, from
+// the seed FIRST on, and prints how often the truth lies within the intervals.
 #include <cmath>
 #include <cstdlib>
 #include <iomanip>
@@ -13,8 +13,9 @@
 int main(int argc, char** argv) {
     using namespace scipd::tests;
     const int count = argc > 1 ? std::atoi(argv[1]) : 200;
+    const int first = argc > 2 ? std::atoi(argv[2]) : 1;
     RoundTrip result;
-    for (int seed = 1; seed <= count; ++seed)
+    for (int seed = first; seed < first + count; ++seed)
         make_round_trip(static_cast<std::uint64_t>(seed), result);
     Hits all;
     std::cout << std::fixed << std::setprecision(3);

@@ -22,21 +22,6 @@ Pose at(double x_m, double y_m) {
     return sim::pose_from_rpy({x_m, y_m, 0.0}, {0.0, 0.0, 0.0});
 }
 
-sim::SharedScene scene_of(const Room& room) {
-    const double x = 0.5 * (room.length_m + wall_m);
-    const double y = 0.5 * (room.width_m + wall_m);
-    sim::SceneBuilder scene;
-    scene.add(Box{{wall_m, room.width_m, 2.0}}, at(x, 0.0), 0);
-    scene.add(Box{{room.length_m, wall_m, 2.0}}, at(0.0, y), 1);
-    scene.add(Box{{wall_m, room.width_m, 2.0}}, at(-x, 0.0), 2);
-    scene.add(Box{{room.length_m, wall_m, 2.0}}, at(0.0, -y), 3);
-    MaterialId material = 4;
-    for (const Room::Thing& thing : room.things)
-        scene.add(Box{{2.0 * thing.half_m, 2.0 * thing.half_m, 2.0}}, at(thing.x_m, thing.y_m),
-                  material++);
-    return scene.build();
-}
-
 sim::SharedLitWorld light_of(const Room& room) {
     std::vector<sim::Surface> surfaces;
     for (const double reflectance : room.reflectances)
@@ -55,6 +40,21 @@ sim::ErrorModel errors_of(const daemon::Model& model, bool with_light, std::uint
 
 }  // namespace
 
+sim::SharedScene scene_of(const Room& room) {
+    const double x = 0.5 * (room.length_m + wall_m);
+    const double y = 0.5 * (room.width_m + wall_m);
+    sim::SceneBuilder scene;
+    scene.add(Box{{wall_m, room.width_m, 2.0}}, at(x, 0.0), 0);
+    scene.add(Box{{room.length_m, wall_m, 2.0}}, at(0.0, y), 1);
+    scene.add(Box{{wall_m, room.width_m, 2.0}}, at(-x, 0.0), 2);
+    scene.add(Box{{room.length_m, wall_m, 2.0}}, at(0.0, -y), 3);
+    MaterialId material = 4;
+    for (const Room::Thing& thing : room.things)
+        scene.add(Box{{2.0 * thing.half_m, 2.0 * thing.half_m, 2.0}}, at(thing.x_m, thing.y_m),
+                  material++);
+    return scene.build();
+}
+
 SyntheticScanner::SyntheticScanner(daemon::Model model, const Room& room, bool with_light,
                                    std::uint64_t seed)
     : model_(std::move(model)),
@@ -72,7 +72,7 @@ tools::Readings SyntheticScanner::begin() const {
             .beam_rad = model_.optics.beam_rad(),
             .period_s = 0.025,
             .has_codes = true,
-            .has_intensities = with_light_,
+            .has_intensities = tells_intensities_,
             .whole_mm = true};
 }
 
@@ -94,13 +94,22 @@ void SyntheticScanner::stand(const Place& place, int scans, tools::Readings& rea
             const auto value = static_cast<float>(wire.distance[beam]);
             const bool distance = model_.profile.is_distance(wire.distance[beam]);
             readings.mm.push_back(distance ? value : tools::as_code(value));
-            if (with_light_) readings.intensity.push_back(static_cast<float>(wire.intensity[beam]));
+            if (tells_intensities_)
+                readings.intensity.push_back(static_cast<float>(wire.intensity[beam]));
         }
     }
 }
 
 void end_recording(tools::Readings& readings) {
     readings.begins.push_back(readings.scans());
+}
+
+tools::Readings only(tools::Readings readings, std::size_t first, std::size_t last) {
+    for (std::size_t i = 0; i < readings.mm.size(); ++i) {
+        const std::size_t step = i % readings.steps;
+        if (step < first || step > last) readings.mm[i] = tools::as_code(65533);
+    }
+    return readings;
 }
 
 }  // namespace scipd::tests

@@ -27,6 +27,8 @@ struct Room {
     std::vector<double> reflectances = {0.9, 0.7, 0.5, 0.3};  ///< of the walls, then of all things
 };
 
+[[nodiscard]] sim::SharedScene scene_of(const Room& room);
+
 struct Place {
     double x_m = 0.0;
     double y_m = 0.0;
@@ -38,6 +40,9 @@ class SyntheticScanner {
     /// At Accuracy::material where its light is known, else at Accuracy::sensor.
     SyntheticScanner(daemon::Model model, const Room& room, bool with_light, std::uint64_t seed);
 
+    /// At any accuracy.
+    void tell_intensities() { tells_intensities_ = true; }
+
     /// Adds scans from this place.
     void stand(const Place& place, int scans, tools::Readings& readings);
 
@@ -47,6 +52,7 @@ class SyntheticScanner {
   private:
     daemon::Model model_;
     bool with_light_;
+    bool tells_intensities_ = with_light_;
     sim::Scanner scanner_;
     sim::SharedLitWorld lit_;
     std::unique_ptr<sim::RangeBackend> backend_;
@@ -55,5 +61,8 @@ class SyntheticScanner {
 
 /// Closes a recording: what follows is another one.
 void end_recording(tools::Readings& readings);
+
+/// Only what these steps see is left.
+[[nodiscard]] tools::Readings only(tools::Readings readings, std::size_t first, std::size_t last);
 
 }  // namespace scipd::tests

@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
 
 #include "tools/statistics/beam_statistics.h"
 #include "tools/statistics/blocks.h"
+#include "tools/statistics/clock_reading.h"
 #include "tools/statistics/code_shares.h"
 #include "tools/statistics/scan_series.h"
 #include "tools/statistics/shared_noise.h"
@@ -81,6 +84,17 @@ TEST(ScanSeries, LeavesOutDoublesAndOddOnes) {
     EXPECT_EQ(series.scans(), 2U);
     EXPECT_EQ(series.doubles(), 1U);
     EXPECT_EQ(series.odd_ones(), 1U);
+}
+
+TEST(ScanSeries, KnowsADoubleWithoutAStampByWhatIsNoNumberToo) {
+    ScanSeries series{sim::ScannerIdentity{}};
+    sim::RecordedScan scan = scan_of({1.5, std::nan(""), 2.5}, 0);
+    scan.unit = sim::RangeUnit::metres;
+    scan.stamp_ms.reset();
+    scan.stamp_us.reset();
+    series.add(scan);
+    series.add(scan);
+    EXPECT_EQ(series.doubles(), 1U);
 }
 
 TEST(ScanSeries, FollowsTheClockWhereItWraps) {
@@ -214,6 +228,45 @@ TEST(StampStatistics, KnowTheClockWithinItsUncertainty) {
         }
     }
     EXPECT_LT(stamp_statistics(times_of(0.02505, 0, 2400), 1e-3).clock->uncertainty_ppm, 20);
+}
+
+/// Asked forty times; the clock runs as fast as ours, and is 1000 s behind. It reads its time after
+/// `before_s` of the `before_s + after_s` from question to answer.
+std::vector<ClockAnswer> answers_from(double begin_s, double before_s, double after_s) {
+    std::vector<ClockAnswer> answers;
+    for (double asked_s = begin_s; answers.size() < 40;) {
+        const double device_s = std::floor((asked_s + before_s - 1000) * 1e3) / 1e3;
+        answers.push_back({device_s, asked_s, asked_s + before_s + after_s});
+        asked_s += before_s + after_s + 0.00137;
+    }
+    return answers;
+}
+
+TEST(ClockReading, KnowsTheRateWithinItsUncertainty) {
+    const auto before = clock_reading(answers_from(2000, 1e-4, 1e-4));
+    const auto after = clock_reading(answers_from(2010, 1e-4, 1e-4));
+    const ClockRate rate = rate_between(*before, *after);
+    EXPECT_LT(std::abs(rate.ppm), rate.uncertainty_ppm);
+    EXPECT_LT(rate.uncertainty_ppm, 30);
+}
+
+// On a busy machine the scanner, or whoever asks, waits for its turn.
+TEST(ClockReading, CountsAsUnknownWhatAnswersWaited) {
+    for (const auto& [before_s, after_s] : {std::pair{1e-4, 4e-3}, {4e-3, 1e-4}}) {
+        const auto before = clock_reading(answers_from(2000, 1e-4, 1e-4));
+        const auto after = clock_reading(answers_from(2001, before_s, after_s));
+        const ClockRate rate = rate_between(*before, *after);
+        EXPECT_GT(std::abs(rate.ppm), 1500);
+        EXPECT_LT(std::abs(rate.ppm), rate.uncertainty_ppm);
+        EXPECT_LT(rate.uncertainty_ppm, 3000);
+    }
+}
+
+TEST(ClockReading, IsNoneOfFewAnswers) {
+    const auto answers = answers_from(2000, 1e-4, 1e-4);
+    EXPECT_FALSE(clock_reading({}));
+    EXPECT_FALSE(clock_reading(std::span(answers).first(3)));
+    EXPECT_TRUE(clock_reading(std::span(answers).first(4)));
 }
 
 TEST(StampStatistics, SayNothingOfWhatIsNotThere) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "tools/markup.h"
+
 namespace scipd::tools::checks {
 namespace {
 
@@ -79,23 +81,15 @@ std::string as_text(const CheckReport& report) {
     return text;
 }
 
+std::string in_ascii(std::string_view text) {
+    std::string readable(text);
+    std::ranges::replace_if(
+        readable, [](char c) { return c < ' ' || c > '~'; }, '?');
+    return readable;
+}
+
 std::string entities(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '&') {
-            safe += "&amp;";
-        } else if (c == '<') {
-            safe += "&lt;";
-        } else if (c == '>') {
-            safe += "&gt;";
-        } else if (c == '"') {
-            safe += "&quot;";
-        } else {
-            // Texts of a scanner may hold anything; XML knows no control characters.
-            safe.push_back(c >= ' ' && c <= '~' ? c : '?');
-        }
-    }
-    return safe;
+    return in_markup(in_ascii(text));
 }
 
 }  // namespace scipd::tools::checks

@@ -46,7 +46,9 @@ struct CheckReport {
 [[nodiscard]] std::string as_junit(const CheckReport& report);
 [[nodiscard]] std::string as_html(const CheckReport& report);
 
-/// With &, <, > and quotes as entities, for XML and HTML.
+/// A scanner may send anything: what is no printable character of ASCII is a question mark.
+[[nodiscard]] std::string in_ascii(std::string_view text);
+/// The same as XML and HTML have it.
 [[nodiscard]] std::string entities(std::string_view text);
 
 }  // namespace scipd::tools::checks

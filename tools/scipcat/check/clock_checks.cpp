@@ -102,12 +102,24 @@ Finding state_on_clock(Subject& subject) {
                        " after II with TIME:" + text);
 }
 
+// The answer to TM1 that came soonest tells best when the scanner read its clock.
+Answer soonest_time(Subject& subject) {
+    constexpr int count = 5;
+    Answer soonest = subject.ask("TM1");
+    for (int i = 1; i < count; ++i) {
+        Answer next = subject.ask("TM1");
+        if (next.came_at - next.asked_at < soonest.came_at - soonest.asked_at)
+            soonest = std::move(next);
+    }
+    return soonest;
+}
+
 // The least age of some scans: this machine may be late, but never early.
 Finding stamped_at_step_0(Subject& subject) {
-    constexpr int count = 5;
+    constexpr int count = 8;
     constexpr double most_turns = 4.0;
     subject.adjust();
-    const Answer time = subject.ask("TM1");
+    const Answer time = soonest_time(subject);
     const auto clock = static_cast<std::uint32_t>(number_in(time));
     subject.rest();
     char last[32];

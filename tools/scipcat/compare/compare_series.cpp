@@ -115,9 +115,11 @@ sim::Expected<Comparison> compare(const Taken& taken_a, const Taken& taken_b, bo
     const ScanSeries& a = taken_a.series;
     const ScanSeries& b = taken_b.series;
     for (const Taken* taken : {&taken_a, &taken_b}) {
-        if (taken->series.scans() < fewest_scans)
-            return sim::refuse(taken->name + " has " + std::to_string(taken->series.scans()) +
-                               " scans that differ; at least 4 are needed, and 100 are better");
+        const std::size_t scans = taken->series.scans();
+        if (scans < fewest_scans)
+            return sim::refuse(taken->name + " has " + std::to_string(scans) +
+                               (scans == 1 ? " scan" : " scans that differ") +
+                               "; at least 4 are needed, and 100 are better");
     }
     Matter matter = matter_of(a, b);
     Comparison comparison;

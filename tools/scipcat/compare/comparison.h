@@ -61,7 +61,8 @@ struct Difference {
     [[nodiscard]] bool is_of_steps() const { return what != What::rate && what != What::clock; }
 };
 
-/// How much A's second half differs from its first: 19 of 20 quiet beams by less.
+/// How much A's second half differs from its first: 19 of 20 quiet beams by less. NaN where no beam
+/// is quiet.
 struct Floor {
     double mean_mm = 0;
     double sd_mm = 0;

@@ -26,7 +26,8 @@ std::string lists_of(const Comparison& comparison) {
     std::string text = "<p><strong>" + in_markup(verdict_of(comparison)) + "</strong></p>\n<ul>\n";
     for (const Difference& difference : weightiest_first(comparison.differ))
         text += "<li>" + in_markup(sentence_of(difference)) + "</li>\n";
-    return text + "</ul>\n";
+    const std::string why = missing_floor(comparison);
+    return text + "</ul>\n" + (why.empty() ? "" : "<p>" + in_markup(why) + "</p>\n");
 }
 
 std::string table_of_both(const Comparison& comparison) {

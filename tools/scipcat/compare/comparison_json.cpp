@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/scipcat/compare/comparison_report.h"
+#include "tools/scipcat/compare/comparison_words.h"
 
 namespace scipd::tools::comparing {
 namespace {
@@ -142,7 +143,8 @@ std::string as_json(const Comparison& comparison) {
                   {"codes_b", shares_json(comparison.b.codes)},
                   {"floor",
                    {{"mean_mm", number(comparison.floor.mean_mm)},
-                    {"sd_mm", number(comparison.floor.sd_mm)}}},
+                    {"sd_mm", number(comparison.floor.sd_mm)},
+                    {"why", words(missing_floor(comparison))}}},
                   {"differ", Json::array()},
                   {"verdict", comparison.alike() ? "alike" : "differ"}};
     for (const Difference& difference : comparison.differ)

@@ -47,7 +47,9 @@ std::string as_text(const Comparison& comparison) {
         if (!(row.a + row.b + row.difference).empty())
             rows.push_back({row.what, row.a, row.b, row.difference, row.floor});
     }
-    text += table_of(rows) + "\n" + verdict_of(comparison) + "\n";
+    text += table_of(rows) + "\n";
+    if (const auto why = missing_floor(comparison); !why.empty()) text += why + "\n";
+    text += verdict_of(comparison) + "\n";
     const auto differences = weightiest_first(comparison.differ);
     for (std::size_t i = 0; i < std::min(differences.size(), most_shown); ++i)
         text += "  " + sentence_of(differences[i]) + "\n";

@@ -23,6 +23,15 @@ double angle_of(const Comparison& comparison, std::size_t pair) {
            *directions.increment_rad * (static_cast<double>(comparison.pairs[pair].a) + middle);
 }
 
+/// How many times A's, or B's own where A has nothing.
+std::string multiple_text(const Difference& difference, const char* times, const char* own) {
+    const bool any = difference.a > 0;
+    char text[60];
+    std::snprintf(text, sizeof text, any ? times : own,
+                  any ? difference.b / difference.a : difference.b);
+    return text;
+}
+
 std::string short_text(const Difference& difference) {
     char text[60];
     const double by = difference.difference();
@@ -33,11 +42,9 @@ std::string short_text(const Difference& difference) {
                           size < 100 ? by : by / 1e3);
             return text;
         case What::sd:
-            std::snprintf(text, sizeof text, "noise × %.2g", difference.b / difference.a);
-            return text;
+            return "noise" + multiple_text(difference, " × %.2g", " %.1f mm");
         case What::intensity:
-            std::snprintf(text, sizeof text, "light × %.2g", difference.b / difference.a);
-            return text;
+            return "light" + multiple_text(difference, " × %.2g", " %.0f");
         default:
             return "codes";
     }

@@ -64,6 +64,13 @@ std::string spread_text(const Difference& difference) {
                   difference.b / difference.a, difference.b, difference.a);
 }
 
+/// " by 12 %: 560 instead of 500"; nothing has no per cent.
+std::string brightness_text(const Difference& difference) {
+    const double by = std::abs(difference.difference() / difference.a);
+    return (std::isfinite(by) ? " by " + percent_text(by) : "") +
+           worded(": %.0f instead of %.0f", difference.b, difference.a);
+}
+
 std::string share_list(const CodeShares& shares) {
     constexpr std::size_t most = 4;
     std::vector<std::pair<double, Code>> sorted;
@@ -93,6 +100,10 @@ std::string within_text(const char* pattern, double value, const Interval& withi
                : "";
 }
 
+std::string floor_text(double floor_mm) {
+    return std::isfinite(floor_mm) ? worded("%.2f mm", floor_mm) : "not known";
+}
+
 std::string clock_text(const std::optional<ClockRate>& clock) {
     return clock ? worded("%+.0f ppm (± %.0f)", clock->ppm, clock->uncertainty_ppm) : "";
 }
@@ -110,9 +121,8 @@ std::string sentence_of(const Difference& difference) {
         case What::codes:
             return steps_text(difference) + ": " + codes_text(difference);
         case What::intensity:
-            return steps_text(difference) + (by < 0 ? " darker by " : " brighter by ") +
-                   percent_text(std::abs(by / difference.a)) +
-                   worded(": %.0f instead of %.0f", difference.b, difference.a);
+            return steps_text(difference) + (by < 0 ? " darker" : " brighter") +
+                   brightness_text(difference);
         case What::neighbours:
             return "neighbouring steps share " + std::string(by < 0 ? "less" : "more") +
                    worded(" of their noise: a correlation of %.2f instead of %.2f", difference.b,
@@ -133,6 +143,12 @@ std::string verdict_of(const Comparison& comparison) {
         return "They are alike, as far as " + std::to_string(scans) + " scans can tell.";
     const std::size_t things = comparison.differ.size();
     return "They differ in " + std::to_string(things) + (things == 1 ? " thing:" : " things:");
+}
+
+std::string missing_floor(const Comparison& comparison) {
+    if (std::isfinite(comparison.floor.mean_mm)) return {};
+    return "The floor is not known: no step of A looks at one surface that stands still. Compare "
+           "scans of a scanner that stands still.";
 }
 
 std::string place_of(const Comparison& comparison) {
@@ -165,10 +181,10 @@ std::vector<Row> overview_of(const Comparison& comparison) {
     const auto within = "%+.2f mm (%+.2f to %+.2f)";
     return {
         {"range", "", "", within_text(within, comparison.mean_mm, comparison.mean_within_mm),
-         worded("%.2f mm", comparison.floor.mean_mm)},
+         floor_text(comparison.floor.mean_mm)},
         {"standard deviation", known("%.2f mm", a.sd_mm), known("%.2f mm", b.sd_mm),
          within_text(within, b.sd_mm - a.sd_mm, comparison.sd_within_mm),
-         worded("%.2f mm", comparison.floor.sd_mm)},
+         floor_text(comparison.floor.sd_mm)},
         {"neighbours", known("%.2f", a.neighbours), known("%.2f", b.neighbours),
          within_text("%+.2f (%+.2f to %+.2f)", b.neighbours - a.neighbours,
                      comparison.neighbours_within),

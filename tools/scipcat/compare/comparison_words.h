@@ -17,6 +17,9 @@ namespace scipd::tools::comparing {
 /// "They are alike: …" or "They differ in 3 things."
 [[nodiscard]] std::string verdict_of(const Comparison& comparison);
 
+/// Why there is no floor; empty where there is one.
+[[nodiscard]] std::string missing_floor(const Comparison& comparison);
+
 /// Where B stands, or why that is not known.
 [[nodiscard]] std::string place_of(const Comparison& comparison);
 

@@ -16,6 +16,11 @@ void append(std::vector<Difference>& all, std::vector<Difference> more) {
                std::make_move_iterator(more.end()));
 }
 
+/// Without any noise, as an ideal scanner reads, as well.
+bool stands_still(const BeamStatistics& beam) {
+    return is_steady(beam) || (beam.share >= 0.9 && beam.sd_mm == 0);
+}
+
 }  // namespace
 
 Floor floor_of(const Matter& matter) {
@@ -25,7 +30,7 @@ Floor floor_of(const Matter& matter) {
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
         const BeamStatistics& first = matter.first_half[matter.pairs[pair].a];
         const BeamStatistics& second = matter.second_half[matter.pairs[pair].a];
-        if (matter.pairs[pair].at_edge || !is_steady(first) || !is_steady(second)) continue;
+        if (matter.pairs[pair].at_edge || !stands_still(first) || !stands_still(second)) continue;
         means_mm.push_back(std::abs(second.mean_mm - first.mean_mm));
         sds_mm.push_back(std::abs(second.sd_mm - first.sd_mm));
     }

@@ -98,7 +98,8 @@ void compare_clocks(Comparison& comparison) {
     const auto& b = comparison.b.stamps.clock;
     if (!a || !b) return;
     const double difference = b->ppm - a->ppm;
-    const double by = std::hypot(a->uncertainty_ppm, b->uncertainty_ppm);
+    // They add: what a busy machine tells late in one recording is not chance.
+    const double by = a->uncertainty_ppm + b->uncertainty_ppm;
     if (!(std::abs(difference) > std::max(by, least_ppm))) return;
     comparison.differ.push_back({.what = What::clock,
                                  .a = a->ppm,
