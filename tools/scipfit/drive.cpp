@@ -75,29 +75,33 @@ Point placed(const LaserPose& pose, const Point& seen) {
     return {pose.x_m + c * seen.x_m - s * seen.y_m, pose.y_m + s * seen.x_m + c * seen.y_m};
 }
 
-std::vector<DriveScan> read_drive(const std::filesystem::path& file, const std::string& stream) {
+Drive read_drive(const std::filesystem::path& file, const std::string& stream) {
     const auto recording = daemon::open_scans(file);
     if (!recording) throw WrongInput(recording.error().why);
     std::vector<sim::RecordedScan> scans;
     std::optional<double> told_m;
+    Drive drive;
     const auto take = [&](const sim::RecordedScan& scan, const sim::RecordedStream& laser) {
-        if (!scan.pose)
-            throw WrongInput(file.string() + ": scan " + std::to_string(scans.size() + 1) +
-                             " does not say where the scanner was; a map needs a drive with the "
-                             "laser's poses, such as a log of CARMEN. For a room around a scanner "
-                             "that stands still: -o room.sdf");
+        if (!scan.pose) {
+            ++drive.without_place;
+            return;
+        }
         if (!scan.directions.first_rad || !scan.directions.increment_rad)
             throw WrongInput(file.string() + ": does not say where the beams look");
         scans.push_back(scan);
         told_m = laser.identity.max_range_m;
     };
     for_each_scan(**recording, file.string(), stream, take);
+    if (scans.empty())
+        throw WrongInput(file.string() +
+                         ": does not say where the scanner was; a map needs a drive with the "
+                         "laser's poses, such as a log of CARMEN. For a room around a scanner "
+                         "that stands still: -o room.sdf");
     const double most_m = std::min(told_m.value_or(end_of_ranges_m(scans)), farthest_m);
-    std::vector<DriveScan> drive;
     for (const sim::RecordedScan& scan : scans)
-        drive.push_back(scan_of(scan, most_m));
-    const LaserPose origin = drive.front().pose;
-    for (DriveScan& scan : drive)
+        drive.scans.push_back(scan_of(scan, most_m));
+    const LaserPose origin = drive.scans.front().pose;
+    for (DriveScan& scan : drive.scans)
         scan.pose = relative(origin, scan.pose);
     return drive;
 }

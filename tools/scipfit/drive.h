@@ -5,6 +5,7 @@
 // Values; one thread.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,9 +29,13 @@ struct DriveScan {
     std::vector<Point> seen;  ///< where its beams ended, from the laser: x is forward, y left
 };
 
+struct Drive {
+    std::vector<DriveScan> scans;
+    std::size_t without_place = 0;  ///< scans whose pose is not recorded: they are left out
+};
+
 /// Reads the scans of `stream`, or of the first that has scans. Throws WrongInput where the file
 /// cannot be read, where no pose is recorded, and where nobody says where the beams look.
-[[nodiscard]] std::vector<DriveScan> read_drive(const std::filesystem::path& file,
-                                                const std::string& stream);
+[[nodiscard]] Drive read_drive(const std::filesystem::path& file, const std::string& stream);
 
 }  // namespace scipd::tools

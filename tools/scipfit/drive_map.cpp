@@ -13,12 +13,14 @@
 namespace scipd::tools {
 namespace {
 
-DriveMap map_on(const std::vector<DriveScan>& drive, const LaidDrive& laid) {
-    DriveMap map{.map = laid.grid.floor_map(), .scans = drive.size()};
+DriveMap map_on(const Drive& drive, const LaidDrive& laid) {
+    DriveMap map{.map = laid.grid.floor_map(),
+                 .scans = drive.scans.size(),
+                 .without_place = drive.without_place};
     double squares = 0.0;
-    for (std::size_t i = 0; i < drive.size(); ++i) {
-        map.readings += drive[i].seen.size();
-        for (const Point& seen : drive[i].seen) {
+    for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+        map.readings += drive.scans[i].seen.size();
+        for (const Point& seen : drive.scans[i].seen) {
             const auto off_m = laid.grid.distance_m(placed(laid.places[i], seen));
             if (!off_m || *off_m > 1.5 * laid.grid.cell_m()) continue;
             ++map.explained;
@@ -44,10 +46,11 @@ double most_moved_m(const std::vector<DriveScan>& drive, const std::vector<Laser
 
 // Places that a program for maps has corrected close loops, which refining does not. They explain
 // nearly as much, and stay.
-DriveMap map_of(const std::vector<DriveScan>& drive, double cell_m) {
+DriveMap map_of(const Drive& drive, double cell_m) {
     constexpr double nearly = 0.98;
-    DriveMap as_recorded = map_on(drive, laid_as_recorded(drive, cell_m));
-    const LaidDrive refined = laid_over_itself(drive, cell_m);
+    const std::vector<DriveScan>& scans = drive.scans;
+    DriveMap as_recorded = map_on(drive, laid_as_recorded(scans, cell_m));
+    const LaidDrive refined = laid_over_itself(scans, cell_m);
     DriveMap as_refined = map_on(drive, refined);
     if (as_refined.explained == 0)
         throw WrongInput(
@@ -57,12 +60,13 @@ DriveMap map_of(const std::vector<DriveScan>& drive, double cell_m) {
         nearly * static_cast<double>(as_refined.explained))
         return as_recorded;
     as_refined.refined = true;
-    as_refined.most_moved_m = most_moved_m(drive, refined.places);
+    as_refined.most_moved_m = most_moved_m(scans, refined.places);
     return as_refined;
 }
 
 nlohmann::ordered_json as_json(const DriveMap& map) {
     return {{"scans", map.scans},
+            {"without_place", map.without_place},
             {"readings", map.readings},
             {"explained", map.explained},
             {"rms_mm", map.rms_mm},
@@ -77,6 +81,9 @@ std::string as_text(const DriveMap& map) {
     std::string text = formatted(
         "%zu scans; the map explains %zu of %zu readings, %.0f mm around its faces (rms)\n",
         map.scans, map.explained, map.readings, map.rms_mm);
+    if (map.without_place > 0)
+        text += formatted("left out, since they do not say where the scanner was: %zu scans\n",
+                          map.without_place);
     if (map.explained < map.readings)
         text += formatted("%zu readings end where the map has no face: they are left out\n",
                           map.readings - map.explained);

@@ -19,6 +19,7 @@ namespace scipd::tools {
 struct DriveMap {
     sim::FloorMap map;
     std::size_t scans = 0;
+    std::size_t without_place = 0;  ///< scans that do not say where the scanner was: left out
     std::size_t readings = 0;
     std::size_t explained = 0;  ///< end at a face, or a cell beside one
     double rms_mm = 0.0;        ///< how far those end from it
@@ -30,7 +31,7 @@ struct DriveMap {
 
 /// The first scan's place is the origin, its forward the x axis. Throws WrongInput where the drive
 /// takes too many cells, and where nothing was met twice.
-[[nodiscard]] DriveMap map_of(const std::vector<DriveScan>& drive, double cell_m);
+[[nodiscard]] DriveMap map_of(const Drive& drive, double cell_m);
 
 [[nodiscard]] nlohmann::ordered_json as_json(const DriveMap& map);
 /// Sentences, each on a line of its own.

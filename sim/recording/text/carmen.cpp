@@ -56,7 +56,8 @@ class Carmen final : public TextRecording {
         scan.ranges = words.numbers(words.count());
         if (old) scan.directions = half_turn(scan.ranges.size());
         if (!old) read_remissions(words, scan);
-        if (kind != "RAWLASER") scan.pose = pose_in(words);
+        // The laser's own, before the robot's.
+        if (kind != "RAWLASER" && words.left() >= 6) scan.pose = pose_in(words);
         // The line ends in the time of the message, the host, and the time since the log began.
         scan.host_time = host_time_in(words.from_end(2));
         if (words.wrong() || !scan.host_time)
@@ -88,12 +89,6 @@ class Carmen final : public TextRecording {
         if (ahead.wrong() || ahead.left() < 3) return;
         scan.intensities = std::move(remissions);
         words = ahead;
-    }
-
-    /// The laser's own, which stands before the robot's.
-    static std::optional<LaserPose> pose_in(WordLine words) {
-        const LaserPose pose{words.number(), words.number(), words.number()};
-        return words.wrong() || words.left() < 3 ? std::nullopt : std::optional(pose);
     }
 
     std::size_t stream_of(const std::string& message, double max_range_m) {

@@ -49,7 +49,10 @@ class Player final : public TextRecording {
     Next take_scan(WordLine& words, const std::string& index, HostTime time, bool with_pose) {
         RecordedScan scan{.host_time = time, .unit = RangeUnit::metres};
         words.skip(1);  // the number of the scan
-        if (with_pose) scan.pose = {words.number(), words.number(), words.number()};
+        if (with_pose) {
+            scan.pose = pose_in(words);
+            words.skip(3);
+        }
         scan.directions.first_rad = words.number();
         words.skip(1);  // the last angle
         scan.directions.increment_rad = words.number();

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/recording/text/word_line.h"
 #include "sim/recording/values/recorded_scan.h"
 #include "sim/text/text_number.h"
 
@@ -30,6 +31,13 @@ namespace scipd::sim {
     const auto time = parse_stamp(seconds);
     if (!time) return std::nullopt;
     return HostTime(*time);
+}
+
+/// The pose that the next three words are; nothing if one of them is no number, as where a program
+/// did not know the place.
+[[nodiscard]] inline std::optional<LaserPose> pose_in(WordLine words) {
+    const LaserPose pose{words.number(), words.number(), words.number()};
+    return words.wrong() ? std::nullopt : std::optional(pose);
 }
 
 /// Of a whole number, without a point.

@@ -259,6 +259,18 @@ TEST(Player, ReadsLasersOfSeveralDevices) {
     EXPECT_THAT(back.warnings, ElementsAre(HasSubstr("what 'position2d' says is left out")));
 }
 
+TEST(Player, ReadsScansWhosePlaceIsNoNumber) {
+    const ReadBack back = read_bytes(
+        "## Player version 2.0.1 \n## File version 0.3.0 \n"
+        "0000001700.350 16777343 6665 laser 01 001 002 0012 nan nan nan -1.5708 "
+        "+1.5708 +0.78539816 +8.0000 0001 4.000  4 \n");
+    EXPECT_EQ(back.fault, "");
+    ASSERT_THAT(back.scans(), SizeIs(1));
+    EXPECT_THAT(back.scans()[0].ranges, ElementsAre(4));
+    EXPECT_THAT(back.scans()[0].directions.first_rad, Optional(-1.5708));
+    EXPECT_FALSE(back.scans()[0].pose);
+}
+
 TEST(Ubh, ReadsOlderVersionsOfItsMaker) {
     const ReadBack back = read_bytes(
         "[model]\r\nURG-04LX(Hokuyo Automatic Co.,Ltd.)\r\n[frontStep]\r\n384\r\n[totalSteps]\r\n"

@@ -224,6 +224,17 @@ TEST_F(DriveMapTest, SaysWhereItExplainsLittle) {
                 HasSubstr("are the poses in metres and radians"));
 }
 
+TEST_F(DriveMapTest, LeavesOutScansWhosePlaceIsNoNumber) {
+    auto told = lap();
+    told.front().x_m = std::nan("");
+    told[50].yaw_rad = std::nan("");
+    const DriveMap made = tools::map_of(tools::read_drive(log(lap(), told), ""), 0.05);
+    EXPECT_EQ(made.scans, 118U);
+    EXPECT_EQ(made.without_place, 2U);
+    EXPECT_THAT(tools::as_text(made), HasSubstr("do not say where the scanner was: 2 scans"));
+    EXPECT_THAT(made.explained, Ge(made.readings * 97 / 100));
+}
+
 TEST_F(DriveMapTest, NeedsPoses) {
     const auto file =
         folder_.write("raw.log", "RAWLASER1 0 -1.5 3 0.75 30 0.01 0 3 1 2 3 0 1 h 1\n");
