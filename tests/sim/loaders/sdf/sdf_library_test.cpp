@@ -253,7 +253,7 @@ class SdfLibrary : public ::testing::TestWithParam<unsigned> {};
 INSTANTIATE_TEST_SUITE_P(Random, SdfLibrary, ::testing::Range(0U, 8U));
 
 TEST_P(SdfLibrary, HasEverythingWhereScipdHasIt) {
-    constexpr unsigned documents = 100;
+    constexpr unsigned documents = 50;
     const tests::TempDir folder;
     // For includes within includes the library asks the global one alone.
     sdf::setFindCallback([&](const std::string& uri) { return (folder.path() / uri).string(); });
