@@ -28,21 +28,34 @@ struct DepthSampler::Around {
           nearest(pixel) {
         note_shown(picture);
     }
+    /// The four pixels beside one.
+    static Around beside(std::size_t pixel, const Picture& picture) {
+        Around around(pixel, picture);
+        const auto row = static_cast<std::size_t>(picture.size_px.x);
+        around.pixels[0] = pixel < row ? pixel : pixel - row;
+        around.pixels[3] = pixel + row < picture.triangle.size() ? pixel + row : pixel;
+        around.note_shown(picture);
+        return around;
+    }
 
     void note_shown(const Picture& picture) {
         for (std::size_t i = 0; i < pixels.size(); ++i)
             shown[i] = picture.triangle[pixels[i]];
+        any_nothing = picture.triangle[nearest] == Picture::nothing ||
+                      std::ranges::find(shown, Picture::nothing) != shown.end();
     }
     [[nodiscard]] bool one_triangle() const {
         return shown[0] == shown[1] && shown[0] == shown[2] && shown[0] == shown[3];
     }
-    [[nodiscard]] bool any_nothing() const {
-        return std::ranges::find(shown, Picture::nothing) != shown.end();
+
+    [[nodiscard]] bool nothing_shown() const {
+        return one_triangle() && shown[0] == Picture::nothing;
     }
 
     std::array<std::size_t, 4> pixels;
     std::size_t nearest;
     std::array<TriangleId, 4> shown;
+    bool any_nothing = false;  ///< one of them, or the nearest pixel, shows nothing
 };
 
 /// A beam, and the normals of two planes through it, in anchored W.
@@ -80,7 +93,11 @@ Hit DepthSampler::hit(const Look& look, const glm::dvec3& direction) {
     const Around around(look, picture_);
     if (between_ == BetweenPixels::nearest) return by_depth(around.nearest, look, direction);
     if (!around.one_triangle()) return by_triangles(around, look, direction);
-    if (around.shown[0] == Picture::nothing) return {};
+    // Graphics devices leave a pixel out here and there where two triangles meet.
+    if (around.shown[0] == Picture::nothing) {
+        const Around beside = Around::beside(around.nearest, picture_);
+        return beside.nothing_shown() ? Hit{} : by_triangles(beside, look, direction);
+    }
     look_at(around.shown[0]);
     if (between_ == BetweenPixels::interpolate) {
         const double z_m = z_of_depth_m(depth_between(around, look));
@@ -210,7 +227,7 @@ void DepthSampler::find_unseen(const Around& around, const Look& look, const Bea
         // A beam between a pixel that shows something and one that shows nothing either misses the
         // thing or meets it near the range that is shown, but meets nothing far behind it.
         constexpr double where_seen = 1.02;
-        if (!first.met() && around.any_nothing())
+        if (!first.met() && around.any_nothing)
             unseen.range_m = static_cast<float>(where_seen * shown_m);
         take_nearer(beam, triangles_.body_of(shown), unseen);
         if (unseen.met()) first = unseen;
@@ -230,7 +247,7 @@ Hit DepthSampler::by_triangles(const Around& around, const Look& look,
         if (triangle != Picture::nothing && !again) take_nearer(beam, triangle, first);
     }
     find_unseen(around, look, beam, first);
-    if (first.met() || around.any_nothing()) return first;
+    if (first.met() || around.any_nothing) return first;
     const std::size_t pixel = around.nearest;
     look_at(picture_.triangle[pixel]);
     const double range_m = distance_m_ / glm::dot(normal_, direction);
