@@ -108,10 +108,13 @@ def check_moved(folder):
 
 
 def check_clock(targets):
-    document = compared(targets["one"], targets["fast"], "-n", "320")
-    found = [one for one in document["differ"] if one["what"] == "clock"]
+    # A busy machine hears of the time late. Its interval says so, and may hold 0 until it has heard for longer.
+    for scans in 320, 960, 1600:
+        document = compared(targets["one"], targets["fast"], "-n", str(scans))
+        found = [one for one in document["differ"] if one["what"] == "clock"]
+        if found:
+            break
     assert len(found) == 1, (document["differ"], document["a"], document["b"])
-    # A busy machine hears of scans late, and its interval says so.
     low, high = found[0]["within"]
     assert abs(found[0]["ppm"] - 50) < max(20, high - low), found
     assert 15 < document["a"]["latency_ms"] < 60, document["a"]
