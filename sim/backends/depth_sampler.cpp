@@ -47,7 +47,6 @@ struct DepthSampler::Around {
     [[nodiscard]] bool one_triangle() const {
         return shown[0] == shown[1] && shown[0] == shown[2] && shown[0] == shown[3];
     }
-
     [[nodiscard]] bool nothing_shown() const {
         return one_triangle() && shown[0] == Picture::nothing;
     }

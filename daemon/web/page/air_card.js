@@ -39,12 +39,14 @@ export class AirCard {
   }
 
   async put(media) {
+    const before = this.media;
     // Whoever changes something else before the answer is here changes this list.
     this.show(media);
     try {
       const {notes = []} = await this.server.put('/scene/media', media);
       for (const note of notes) this.notices.tell(note);
     } catch (error) {
+      this.media = before;
       this.notices.trouble(`The air stays as it is: ${error.message}`);
     }
     await this.refresh();
