@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -64,8 +65,12 @@ double x_m(const World& world, sim::Time time) {
 
 class ScriptedModel : public testing::TestWithParam<std::string> {
   protected:
-    ScriptedModel() {
-        put_in(scene_);
+    void SetUp() override {
+        try {
+            put_in(scene_);
+        } catch (const std::runtime_error& error) {
+            GTEST_SKIP() << error.what();  // this machine cannot draw, say
+        }
         world_.set_robots({{"robot", {}}});
     }
 
@@ -158,20 +163,14 @@ TEST_P(ScriptedModel, MovesWithTheRobotWhoseBodyItIs) {
     EXPECT_NEAR(x_m(world_, 3s), 5.0, 1e-6);
 }
 
-std::vector<std::string> backends_here() {
+std::vector<std::string> every_backend() {
     std::vector<std::string> names;
-    for (const sim::BackendRow& backend : sim::backends()) {
-        try {
-            names.emplace_back(backend.name);
-            (void)backends_for(scene_with(walk_away()), names.back());
-        } catch (const std::runtime_error&) {
-            names.pop_back();  // this machine cannot draw, say
-        }
-    }
+    for (const sim::BackendRow& backend : sim::backends())
+        names.emplace_back(backend.name);
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, ScriptedModel, testing::ValuesIn(backends_here()),
+INSTANTIATE_TEST_SUITE_P(Backends, ScriptedModel, testing::ValuesIn(every_backend()),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
