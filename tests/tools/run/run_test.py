@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 """
-What tools/run prints, and what it hands to scipd: run_test.py SOURCES. apt-get, cmake and scipd are stand-ins.
+What tools/run prints, and what it hands to scipd: run_test.py SOURCES. What it calls is stand-ins.
 """
 import os
 import pathlib
@@ -29,6 +29,7 @@ class Tree:
         self.program("dpkg-query", "exit 1\n")
         self.program("sudo", 'exec "$@"\n')
         self.program("apt-get", CHATTER)
+        self.program("apt-cache", "exit 0\n")
         scipd = "build/release/bin/scipd"
         self.program("cmake", "if [[ $1 == --preset ]]; then echo '-- Looking for Embree'; fi\n"
                               "mkdir -p build/release/bin\ntouch build/release/build.ninja\n"
