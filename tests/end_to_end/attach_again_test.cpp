@@ -30,13 +30,13 @@ using Steady = std::chrono::steady_clock;
 
 constexpr int scans_until_it_ends = 3;
 
-struct Carried {
+struct Attached {
     std::string model;
     Link link;
 };
 
-std::vector<Carried> every_model_on_both() {
-    std::vector<Carried> all;
+std::vector<Attached> every_model_on_both() {
+    std::vector<Attached> all;
     for (const std::string& model : all_models()) {
         all.push_back({model, Link::tcp});
         all.push_back({model, Link::tty});
@@ -44,7 +44,7 @@ std::vector<Carried> every_model_on_both() {
     return all;
 }
 
-std::string configuration(const std::vector<Carried>& scanners, const std::string& tcp_keys) {
+std::string configuration(const std::vector<Attached>& scanners, const std::string& tcp_keys) {
     std::string text =
         "scene: " + scene("square_room.sdf").string() + "\nrobots:\n  robot:\n    sensors:\n";
     for (std::size_t i = 0; i < scanners.size(); ++i) {
@@ -61,7 +61,7 @@ using ClientProgram = std::function<void(const DaemonProcess&, std::size_t senso
 
 /// Never returns. Restarts a client that gives up, as its user would, for a while.
 [[noreturn]] void run_and_die(const ClientProgram& client, const DaemonProcess& daemon,
-                              std::size_t sensor, const Carried& scanner) {
+                              std::size_t sensor, const Attached& scanner) {
     const auto until = Steady::now() + 10s;
     do {
         try {
@@ -77,7 +77,7 @@ using ClientProgram = std::function<void(const DaemonProcess&, std::size_t senso
 
 /// Runs all clients at once, because they mostly wait.
 void expect_all_attach(const ClientProgram& client, const DaemonProcess& daemon,
-                       const std::vector<Carried>& scanners, std::size_t first, std::size_t end) {
+                       const std::vector<Attached>& scanners, std::size_t first, std::size_t end) {
     std::map<pid_t, std::string> running;
     for (std::size_t i = first; i < end; ++i) {
         const pid_t child = ::fork();
@@ -93,7 +93,7 @@ void expect_all_attach(const ClientProgram& client, const DaemonProcess& daemon,
 }
 
 void expect_attached_three_times(const ClientProgram& client, const std::string& tcp_keys = "") {
-    const std::vector<Carried> scanners = every_model_on_both();
+    const std::vector<Attached> scanners = every_model_on_both();
     ASSERT_GE(scanners.size(), 42U);
     const TempDir directory;
     const auto file = directory.write("rig.yaml", configuration(scanners, tcp_keys));

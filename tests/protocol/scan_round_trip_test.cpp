@@ -148,12 +148,12 @@ TEST_P(ScanRoundTrip, BringsBackWhatWasMeasured) {
     }
 }
 
-std::string name_of(const testing::TestParamInfo<std::size_t>& test) {
+std::string model_of(const testing::TestParamInfo<std::size_t>& test) {
     return test_name(daemon::models()[test.param].profile);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ScanRoundTrip,
-                         testing::Range(std::size_t{0}, daemon::models().size()), name_of);
+                         testing::Range(std::size_t{0}, daemon::models().size()), model_of);
 
 }  // namespace
 }  // namespace scipd::protocol

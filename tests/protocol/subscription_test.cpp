@@ -13,11 +13,11 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::ElementsAre;
 
-const DeviceProfile profile = test_profile();
+const DeviceProfile subscribed_profile = test_profile();
 
 std::variant<Subscription, Status> parsed(const std::string& text, Uptime arrived = 0ms) {
-    return Subscription::from(parse_request({text}, profile), arrived, profile.scan_period,
-                              profile);
+    return Subscription::from(parse_request({text}, subscribed_profile), arrived,
+                              subscribed_profile.scan_period, subscribed_profile);
 }
 
 Subscription subscription(const std::string& text, Uptime arrived = 0ms) {
@@ -77,7 +77,7 @@ TEST(Subscription, CountsDownToZeroAndFinishes) {
     const std::vector<std::uint32_t> scan = {1000, 1001};
     std::vector<std::string> echoes;
     while (!stream.finished())
-        echoes.push_back(first_line(stream.message({{}, 2, scan, scan}, {}, profile)));
+        echoes.push_back(first_line(stream.message({{}, 2, scan, scan}, {}, subscribed_profile)));
     ASSERT_EQ(echoes.size(), 12U);
     EXPECT_EQ(echoes.front(), "MD0002000301011;ab c");
     EXPECT_EQ(echoes[1], "MD0002000301010;ab c");
@@ -89,7 +89,8 @@ TEST(Subscription, AnEndlessOneNeverFinishes) {
     Subscription stream = subscription("MD0002000301000");
     const std::vector<std::uint32_t> scan = {1000, 1001};
     for (int i = 0; i < 150; ++i)
-        ASSERT_EQ(first_line(stream.message({{}, 2, scan, scan}, {}, profile)), "MD0002000301000");
+        ASSERT_EQ(first_line(stream.message({{}, 2, scan, scan}, {}, subscribed_profile)),
+                  "MD0002000301000");
     EXPECT_FALSE(stream.finished());
 }
 
@@ -100,7 +101,7 @@ TEST(Subscription, ItsMessageIsEchoStatusStampAndData) {
     DeviceState device;
     device.reset(7ms);
     // 100 s after the clock was set to 0.
-    EXPECT_EQ(stream.message({{100s + 7ms}, 2, distance, intensity}, device, profile),
+    EXPECT_EQ(stream.message({{100s + 7ms}, 2, distance, intensity}, device, subscribed_profile),
               "ME0002000301000\n99b\n0HJPB\n1Dh0CB004oooc\n\n");
 }
 

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "testing/scipd_test.h"
+#include "tests/testing/room.h"
 
 namespace {
 
@@ -22,8 +23,6 @@ using namespace scipd::testing;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using Ending = ScipdTest;
-
-const std::filesystem::path room = SCENES "/square_room.sdf";
 
 bool runs(int process) {
     return ::kill(process, 0) == 0;

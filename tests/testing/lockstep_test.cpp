@@ -18,6 +18,7 @@
 #include "testing/scipd_test.h"
 #include "tests/support/scanner_wire.h"
 #include "tests/support/temp_dir.h"
+#include "tests/testing/room.h"
 
 namespace {
 
@@ -25,8 +26,6 @@ using namespace scipd::testing;
 using namespace std::chrono_literals;
 using Lockstep = ScipdTest;
 using ::scipd::tests::ScannerWire;
-
-const std::filesystem::path room = SCENES "/square_room.sdf";
 
 TEST_F(Lockstep, GoesOnByWhatWasAskedFor) {
     Scipd& scipd = start({.world = room, .clock = ClockKind::poses, .accuracy = "ideal"});

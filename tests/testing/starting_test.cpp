@@ -12,6 +12,7 @@
 #include "testing/scipd_command.h"
 #include "testing/scipd_test.h"
 #include "tests/support/temp_dir.h"
+#include "tests/testing/room.h"
 
 namespace {
 
@@ -20,8 +21,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Starting = ScipdTest;
-
-const std::filesystem::path room = SCENES "/square_room.sdf";
 
 /// What a call throws, as text.
 template <class Error, class Call>

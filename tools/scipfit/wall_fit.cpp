@@ -15,11 +15,11 @@
 namespace scipd::tools {
 namespace {
 
-constexpr std::size_t least_beams = 4;
+constexpr std::size_t least_beams_of_wall = 4;
 constexpr double m_per_mm = 1e-3;
 
 /// A beam's middle, seen from above.
-struct Seen {
+struct SeenBeam {
     std::size_t beam;
     double angle_rad;
     double range_m;
@@ -31,24 +31,24 @@ struct Seen {
     }
 };
 
-using Run = std::vector<Seen>;
+using BeamRun = std::vector<SeenBeam>;
 
 /// So far off a line its points may lie: real walls are no planes.
-double tolerance_m(const Seen& seen) {
+double tolerance_m(const SeenBeam& seen) {
     return 0.012 + 0.002 * seen.range_m;
 }
 
 /// Beams in a row that see something, without a jump.
-std::vector<Run> runs_of(const Readings& readings, const Station& station) {
+std::vector<BeamRun> runs_of(const Readings& readings, const Station& station) {
     constexpr double steepest = 10.0;
-    std::vector<Run> runs;
+    std::vector<BeamRun> runs;
     for (std::size_t beam = 0; beam < station.beams.size(); ++beam) {
         if (!station.beams[beam].still) continue;
         const Beam& of = station.beams[beam];
         const double deviation_mm = std::sqrt(of.variance_mm2 / static_cast<double>(of.count));
-        const Seen seen{beam, readings.angle_rad(beam), of.mean_mm * m_per_mm,
-                        deviation_mm * m_per_mm, of.inside};
-        const Seen* const before = runs.empty() ? nullptr : &runs.back().back();
+        const SeenBeam seen{beam, readings.angle_rad(beam), of.mean_mm * m_per_mm,
+                            deviation_mm * m_per_mm, of.inside};
+        const SeenBeam* const before = runs.empty() ? nullptr : &runs.back().back();
         const bool goes_on = before != nullptr && beam - before->beam <= 2 &&
                              std::abs(seen.range_m - before->range_m) <
                                  steepest * readings.beam_rad * before->range_m + tolerance_m(seen);
@@ -66,7 +66,7 @@ double off_line_m(const Point& a, const Point& b, const Point& p) {
 }
 
 /// Splits where a run is farthest off the line through its ends, until none is far off.
-void split(const Run& run, std::size_t first, std::size_t last, std::vector<Run>& pieces) {
+void split(const BeamRun& run, std::size_t first, std::size_t last, std::vector<BeamRun>& pieces) {
     std::size_t farthest = first;
     double most = 1.0;
     for (std::size_t i = first + 1; i < last; ++i) {
@@ -96,18 +96,18 @@ struct WallResidual {
         return true;
     }
 
-    Seen seen;
+    SeenBeam seen;
 };
 
 /// A beam in a corner, or at an edge, is some millimetres off; a wall of few beams has no others.
-Run inner_ones(const Run& points) {
-    Run inner;
-    std::ranges::copy_if(points, std::back_inserter(inner), &Seen::inside);
-    return inner.size() < 2 * least_beams ? points : inner;
+BeamRun inner_ones(const BeamRun& points) {
+    BeamRun inner;
+    std::ranges::copy_if(points, std::back_inserter(inner), &SeenBeam::inside);
+    return inner.size() < 2 * least_beams_of_wall ? points : inner;
 }
 
-Wall fitted(const Run& all) {
-    const Run points = inner_ones(all);
+Wall fitted(const BeamRun& all) {
+    const BeamRun points = inner_ones(all);
     const Point a = points.front().point();
     const Point b = points.back().point();
     // Beams go counter-clockwise around the origin, so it is to the left of the way from a to b.
@@ -115,7 +115,7 @@ Wall fitted(const Run& all) {
     double distance = a.x_m * std::cos(normal) + a.y_m * std::sin(normal);
     ceres::Problem problem;
     auto* const loss = new ceres::CauchyLoss(0.5);
-    for (const Seen& seen : points)
+    for (const SeenBeam& seen : points)
         problem.AddResidualBlock(
             new ceres::AutoDiffCostFunction<WallResidual, 1, 1, 1>(new WallResidual{seen}), loss,
             &normal, &distance);
@@ -128,7 +128,7 @@ Wall fitted(const Run& all) {
     wall.first = all.front().beam;
     wall.last = all.back().beam;
     double squares = 0.0;
-    for (const Seen& seen : points) {
+    for (const SeenBeam& seen : points) {
         const double off = seen.range_m * std::cos(seen.angle_rad - normal) - distance;
         squares += off * off / static_cast<double>(points.size());
     }
@@ -137,19 +137,19 @@ Wall fitted(const Run& all) {
 }
 
 /// Whether one line is near enough to all points of both.
-bool are_one(const Run& a, const Run& b) {
-    Run both = a;
+bool are_one(const BeamRun& a, const BeamRun& b) {
+    BeamRun both = a;
     both.insert(both.end(), b.begin(), b.end());
     const Wall wall = fitted(both);
-    return std::ranges::all_of(both, [&](const Seen& seen) {
+    return std::ranges::all_of(both, [&](const SeenBeam& seen) {
         return std::abs(seen.range_m * std::cos(seen.angle_rad - wall.normal_rad) -
                         wall.distance_m) < tolerance_m(seen);
     });
 }
 
-std::vector<Run> merged(const std::vector<Run>& pieces) {
-    std::vector<Run> whole;
-    for (const Run& piece : pieces) {
+std::vector<BeamRun> merged(const std::vector<BeamRun>& pieces) {
+    std::vector<BeamRun> whole;
+    for (const BeamRun& piece : pieces) {
         if (!whole.empty() && are_one(whole.back(), piece))
             whole.back().insert(whole.back().end(), piece.begin(), piece.end());
         else
@@ -159,13 +159,13 @@ std::vector<Run> merged(const std::vector<Run>& pieces) {
 }
 
 /// Whether these neighbouring beams see it elsewhere than the wall that was laid through all.
-bool is_off(std::span<const Seen> neighbours, const Wall& wall) {
+bool is_off(std::span<const SeenBeam> neighbours, const Wall& wall) {
     constexpr double flat_m = 0.0002;
     constexpr double surely = 2.0;
     const double n = static_cast<double>(neighbours.size());
     double off_m = 0.0;
     double deviation_m = 0.0;
-    for (const Seen& seen : neighbours) {
+    for (const SeenBeam& seen : neighbours) {
         off_m += (seen.range_m - wall.range_m(seen.angle_rad)) / n;
         deviation_m += seen.deviation_m / n;
     }
@@ -173,8 +173,8 @@ bool is_off(std::span<const Seen> neighbours, const Wall& wall) {
     return std::abs(off_m) > flat_m + surely * deviation_m * std::sqrt(2.0 / n);
 }
 
-bool bends(const Run& all, const Wall& wall) {
-    const Run points = inner_ones(all);
+bool bends(const BeamRun& all, const Wall& wall) {
+    const BeamRun points = inner_ones(all);
     const std::size_t neighbours = std::clamp<std::size_t>(points.size() / 6, 6, 16);
     if (points.size() < neighbours) return false;
     const std::size_t last = points.size() - neighbours;
@@ -185,7 +185,7 @@ bool bends(const Run& all, const Wall& wall) {
 }
 
 /// A wall that bends, or that the scanner sees bent, is several planes.
-void add_planes(const Run& points, std::vector<std::pair<Wall, Run>>& planes) {
+void add_planes(const BeamRun& points, std::vector<std::pair<Wall, BeamRun>>& planes) {
     constexpr std::size_t least_beams_of_half = 6;
     const Wall wall = fitted(points);
     if (points.size() < 2 * least_beams_of_half || !bends(points, wall)) {
@@ -217,12 +217,12 @@ double first_range_m(const std::vector<Wall>& walls, double angle_rad) {
 }  // namespace
 
 std::vector<Wall> walls_of(const Readings& readings, const Station& station) {
-    std::vector<std::pair<Wall, Run>> planes;
-    for (const Run& run : runs_of(readings, station)) {
-        std::vector<Run> pieces;
-        if (run.size() >= least_beams) split(run, 0, run.size() - 1, pieces);
-        for (const Run& piece : merged(pieces)) {
-            if (piece.size() >= least_beams) add_planes(piece, planes);
+    std::vector<std::pair<Wall, BeamRun>> planes;
+    for (const BeamRun& run : runs_of(readings, station)) {
+        std::vector<BeamRun> pieces;
+        if (run.size() >= least_beams_of_wall) split(run, 0, run.size() - 1, pieces);
+        for (const BeamRun& piece : merged(pieces)) {
+            if (piece.size() >= least_beams_of_wall) add_planes(piece, planes);
         }
     }
     std::vector<Wall> walls;

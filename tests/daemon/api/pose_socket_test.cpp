@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 
 /// Refuses what is rubbish.
-class FakeApi : public tests::EmptyApi {
+class PosedApi : public tests::EmptyApi {
   public:
     sim::Expected<> admit_pose(Rate& sender) override {
         if (sender.admit(most_, Rate::Time{})) return {};
@@ -38,7 +38,7 @@ class FakeApi : public tests::EmptyApi {
     std::size_t most_ = 1'000'000;
 };
 
-class Client : public WebSocket {
+class PoseClient : public WebSocket {
   public:
     void send(std::shared_ptr<const std::string> message) override {
         told_.push_back(json::parse(*message));
@@ -63,8 +63,8 @@ class PoseSocketTest : public testing::Test {
         return most;
     }
 
-    FakeApi api_;
-    Client client_;
+    PosedApi api_;
+    PoseClient client_;
     std::unique_ptr<Conversation> talk_ = take_poses(api_, client_);
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace scipd::sim {

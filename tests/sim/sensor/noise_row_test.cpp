@@ -17,7 +17,7 @@ namespace scipd::sim {
 namespace {
 
 constexpr double beam_rad = 2.0 * std::numbers::pi / 1440.0;
-constexpr std::size_t beams = 400;
+constexpr std::size_t row_beams = 400;
 constexpr int scans = 400;
 constexpr Smoothing mixing{.next = 0.3, .after_next = 0.1};
 constexpr Smoothing median{.median_of_five = true};
@@ -32,8 +32,8 @@ using View = std::function<Seen(std::size_t)>;
 const View flat = [](std::size_t) { return Seen{3.0}; };
 
 NoiseRow row_of(const View& view, const Smoothing& smoothing, int scan, std::uint32_t rank = 0) {
-    NoiseRow row(beams, rank);
-    for (std::size_t beam = 0; beam < beams; ++beam) {
+    NoiseRow row(row_beams, rank);
+    for (std::size_t beam = 0; beam < row_beams; ++beam) {
         const auto [range_m, object] = view(beam);
         if (std::isfinite(range_m)) row.set(beam, static_cast<float>(range_m), 0.01F, object);
     }
@@ -48,7 +48,7 @@ struct Shared {
 };
 
 Shared shared(const View& view, const Smoothing& smoothing, std::size_t begin = 0,
-              std::size_t end = beams - 5) {
+              std::size_t end = row_beams - 5) {
     std::array<double, 6> products{};
     for (int scan = 0; scan < scans; ++scan) {
         const NoiseRow row = row_of(view, smoothing, scan);
@@ -96,10 +96,10 @@ TEST(NoiseRow, SharesAsMuchAsMediansOfFive) {
     int equal = 0;
     for (int scan = 0; scan < scans; ++scan) {
         const NoiseRow row = row_of(flat, median, scan);
-        for (std::size_t beam = 1; beam < beams; ++beam)
+        for (std::size_t beam = 1; beam < row_beams; ++beam)
             equal += row.noise_m(beam) == row.noise_m(beam - 1) ? 1 : 0;
     }
-    EXPECT_NEAR(equal / (scans * double(beams - 1)), 0.5, 0.1);
+    EXPECT_NEAR(equal / (scans * double(row_beams - 1)), 0.5, 0.1);
 }
 
 // On a slope as steep as this the middle beam of five is always the median.
@@ -176,7 +176,7 @@ TEST(NoiseRow, DependsOnTheFaceAlone) {
         };
         const NoiseRow all = row_of(flat, smoothing, 7);
         const NoiseRow some = row_of(partly, smoothing, 7);
-        for (std::size_t beam = 102; beam < beams; ++beam)
+        for (std::size_t beam = 102; beam < row_beams; ++beam)
             EXPECT_EQ(all.noise_m(beam), some.noise_m(beam)) << beam;
     }
 }
@@ -184,7 +184,7 @@ TEST(NoiseRow, DependsOnTheFaceAlone) {
 TEST(NoiseRow, HasOtherChancesForEachEchoOfABeam) {
     const NoiseRow near = row_of(flat, mixing, 7, 0);
     const NoiseRow far = row_of(flat, mixing, 7, 1);
-    for (std::size_t beam = 0; beam < beams; ++beam)
+    for (std::size_t beam = 0; beam < row_beams; ++beam)
         EXPECT_NE(near.noise_m(beam), far.noise_m(beam));
 }
 
