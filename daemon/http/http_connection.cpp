@@ -9,9 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/local/stream_protocol.hpp>
-
 #include "daemon/http/framing.h"
 #include "daemon/http/plain.h"
 #include "daemon/http/problem.h"
@@ -33,22 +30,6 @@ constexpr std::chrono::milliseconds glance_period{100};
 
 /// Read at once.
 constexpr std::size_t gulp = 4096;
-
-/// Where its client has connected to. A client that has gone meanwhile was nowhere.
-Address address_of(const asio::ip::tcp::socket& socket) {
-    error_code error;
-    const auto here = socket.local_endpoint(error);
-    auto host = here.address();
-    if (host.is_v6() && host.to_v6().is_v4_mapped()) {
-        host = asio::ip::make_address_v4(asio::ip::v4_mapped, host.to_v6());
-    }
-    return {host.to_string(), here.port()};
-}
-
-/// A Unix socket has no gate that asks.
-Address address_of(const asio::local::stream_protocol::socket&) {
-    return {};
-}
 
 /// What to tell a client whose request cannot be read, or nothing where it is gone.
 std::optional<HttpResponse> unreadable(const error_code& error, Limits& limits,
@@ -72,23 +53,21 @@ HttpResponse early_frame() {
 
 }  // namespace
 
-template <class Protocol>
-HttpConnection<Protocol>::HttpConnection(typename Protocol::socket socket,
-                                         std::shared_ptr<HttpService> service, SharedDoor door)
+HttpConnection::HttpConnection(Protocol::socket socket, Address here,
+                               std::shared_ptr<HttpService> service, SharedDoor door)
     : service_(std::move(service)),
       door_(std::move(door)),
+      here_(std::move(here)),
       stream_(std::move(socket)),
       glance_(stream_.get_executor()) {
     service_->clients.insert(this);
 }
 
-template <class Protocol>
-HttpConnection<Protocol>::~HttpConnection() {
+HttpConnection::~HttpConnection() {
     service_->clients.erase(this);
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::read_header() {
+void HttpConnection::read_header() {
     parser_.emplace();
     with_body_ = true;
     const Limits& limits = *service_->limits;
@@ -102,23 +81,21 @@ void HttpConnection<Protocol>::read_header() {
     parse();
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::read_more() {
+void HttpConnection::read_more() {
     stream_.expires_at(pace_.end());
-    stream_.async_read_some(buffer_.prepare(gulp), [self = this->shared_from_this()](
-                                                       const Error& error, std::size_t bytes) {
-        if (error) return self->refuse(error);
-        if (self->parser_->is_header_done()) self->pace_.pass(bytes);
-        self->buffer_.commit(bytes);
-        self->parse();
-    });
+    stream_.async_read_some(buffer_.prepare(gulp),
+                            [self = shared_from_this()](const Error& error, std::size_t bytes) {
+                                if (error) return self->refuse(error);
+                                if (self->parser_->is_header_done()) self->pace_.pass(bytes);
+                                self->buffer_.commit(bytes);
+                                self->parse();
+                            });
 }
 
 /// Takes of the header or of the body what has come. A header has room in all. Of a body only the
 /// line before a chunk, and all that follows the last chunk, need room: they stay in the buffer
 /// until they are whole.
-template <class Protocol>
-void HttpConnection<Protocol>::parse() {
+void HttpConnection::parse() {
     const bool in_body = parser_->is_header_done();
     const auto is_done = [&] { return in_body ? parser_->is_done() : parser_->is_header_done(); };
     while (!is_done()) {
@@ -138,20 +115,17 @@ void HttpConnection<Protocol>::parse() {
 }
 
 /// In front of a request some clients send one, which belongs to the body before (RFC 9112, 2.2).
-template <class Protocol>
-void HttpConnection<Protocol>::skip_empty_lines() {
+void HttpConnection::skip_empty_lines() {
     const std::string_view come{static_cast<const char*>(buffer_.cdata().data()), buffer_.size()};
     buffer_.consume(std::min(come.find_first_not_of("\r\n"), come.size()));
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::turn_away(HttpResponse why) {
+void HttpConnection::turn_away(HttpResponse why) {
     patience_ = linger;
     write(std::move(why), false);
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::come_in() {
+void HttpConnection::come_in() {
     if (service_->closed) return;
     to_origin_form(parser_->get());
     const auto& request = parser_->get();
@@ -161,40 +135,37 @@ void HttpConnection<Protocol>::come_in() {
     if (auto fault = framing_fault(request)) return write(std::move(*fault), false);
     if (!door_->gate) return allow_body();
     const bool has_body = !parser_->is_done();
-    auto answer = door_->gate->answer(request, has_body, address_of(stream_.socket()));
+    auto answer = door_->gate->answer(request, has_body, here_);
     if (!answer) return allow_body();
     // A body that nobody reads cannot be told from the next request.
     write(std::move(*answer), request.keep_alive() && !has_body);
 }
 
 /// A client that asks before it sends a large body waits for the answer.
-template <class Protocol>
-void HttpConnection<Protocol>::allow_body() {
+void HttpConnection::allow_body() {
     if (parser_->is_done() ||
         !boost::beast::iequals(parser_->get()[http::field::expect], "100-continue")) {
         return read_body();
     }
     go_on_ = {http::status::continue_, 11};
     http::async_write(stream_, go_on_,
-                      [self = this->shared_from_this()](const Error& error, std::size_t) {
+                      [self = shared_from_this()](const Error& error, std::size_t) {
                           if (!error) self->read_body();
                       });
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::read_body() {
+void HttpConnection::read_body() {
     room_ = most_of_header();
     pace_.begin(patience_);
     parse();
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::answer() {
+void HttpConnection::answer() {
     if (service_->closed) return;
     const auto& request = parser_->get();
     if (wants_web_socket_) return upgrade();
     const bool keep_alive = request.keep_alive();
-    const auto respond = [self = this->shared_from_this(), keep_alive](HttpResponse response) {
+    const auto respond = [self = shared_from_this(), keep_alive](HttpResponse response) {
         if (!self->service_->closed) self->write(std::move(response), keep_alive);
     };
     answered_ = false;
@@ -211,10 +182,9 @@ void HttpConnection<Protocol>::answer() {
 }
 
 /// It does not read to find out: what a client has sent meanwhile would hide that it has hung up.
-template <class Protocol>
-void HttpConnection<Protocol>::watch() {
+void HttpConnection::watch() {
     glance_.expires_after(glance_period);
-    glance_.async_wait([weak = this->weak_from_this()](const Error& error) {
+    glance_.async_wait([weak = weak_from_this()](const Error& error) {
         const auto self = weak.lock();
         if (error || !self || self->answered_ || self->service_->closed) return;
         if (!self->presence_.has_gone(self->stream_.socket().native_handle())) return self->watch();
@@ -222,27 +192,24 @@ void HttpConnection<Protocol>::watch() {
     });
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::upgrade() {
+void HttpConnection::upgrade() {
     const auto& request = parser_->get();
     auto answer = service_->open_web_socket(to_plain(request, rate_));
     if (auto* refusal = std::get_if<HttpResponse>(&answer)) {
         return write(std::move(*refusal), request.keep_alive());
     }
     if (buffer_.size() != 0) return write(early_frame(), false);
-    std::make_shared<WebSocketConnection<Protocol>>(std::move(stream_), service_, door_)
+    std::make_shared<WebSocketConnection>(std::move(stream_), service_, door_)
         ->open(request, std::get<Converse>(std::move(answer)));
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::refuse(const Error& error) {
+void HttpConnection::refuse(const Error& error) {
     if (service_->closed) return;
     if (auto refusal = unreadable(error, *service_->limits, *door_))
         write(std::move(*refusal), false);
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive) {
+void HttpConnection::write(HttpResponse plain, bool keep_alive) {
     answered_ = true;
     glance_.cancel();
     response_ = to_beast(std::move(plain), keep_alive);
@@ -252,12 +219,11 @@ void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive) {
     write_more(keep_alive);
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::write_more(bool keep_alive) {
+void HttpConnection::write_more(bool keep_alive) {
     stream_.expires_at(pace_.end());
     http::async_write_some(
         stream_, *serializer_,
-        [self = this->shared_from_this(), keep_alive](const Error& error, std::size_t bytes) {
+        [self = shared_from_this(), keep_alive](const Error& error, std::size_t bytes) {
             if (error || self->service_->closed) return;
             self->pace_.pass(bytes);
             if (!self->serializer_->is_done()) return self->write_more(keep_alive);
@@ -267,8 +233,7 @@ void HttpConnection<Protocol>::write_more(bool keep_alive) {
 
 /// Reads until the client ends: a client that still sends would lose our answer to a reset
 /// connection.
-template <class Protocol>
-void HttpConnection<Protocol>::close_gently() {
+void HttpConnection::close_gently() {
     Error error;
     stream_.socket().shutdown(asio::socket_base::shutdown_send, error);
     if (error) return;
@@ -276,16 +241,12 @@ void HttpConnection<Protocol>::close_gently() {
     drop_input();
 }
 
-template <class Protocol>
-void HttpConnection<Protocol>::drop_input() {
+void HttpConnection::drop_input() {
     buffer_.clear();
     stream_.async_read_some(buffer_.prepare(gulp),
-                            [self = this->shared_from_this()](const Error& error, std::size_t) {
+                            [self = shared_from_this()](const Error& error, std::size_t) {
                                 if (!error) self->drop_input();
                             });
 }
-
-template class HttpConnection<asio::ip::tcp>;
-template class HttpConnection<asio::local::stream_protocol>;
 
 }  // namespace scipd::daemon

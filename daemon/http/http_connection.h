@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One client of the HTTP server, over any stream. It reads a request and writes its response, again
-// and again, until either side ends the connection. Keeps itself alive. Lives on the I/O thread.
+// One client of the HTTP server, over TCP or a Unix socket. It reads a request and writes its
+// response, again and again, until either side ends the connection. Keeps itself alive. Lives on
+// the I/O thread.
 //
 // Not a coroutine: Asio 1.74 has none with clang, which fuzzes and checks these sources.
 #pragma once
@@ -13,22 +14,26 @@
 #include <stop_token>
 #include <string>
 
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
 
+#include "daemon/config/address.h"
 #include "daemon/http/http_pace.h"
 #include "daemon/http/http_service.h"
 #include "daemon/http/presence.h"
 
 namespace scipd::daemon {
 
-template <class Protocol>
-class HttpConnection : public HttpClient,
-                       public std::enable_shared_from_this<HttpConnection<Protocol>> {
+class HttpConnection : public HttpClient, public std::enable_shared_from_this<HttpConnection> {
   public:
-    HttpConnection(typename Protocol::socket socket, std::shared_ptr<HttpService> service,
+    /// Any: what Beast makes of a protocol takes long to compile, so it makes it once.
+    using Protocol = boost::asio::generic::stream_protocol;
+
+    /// `here` is where the client has connected to.
+    HttpConnection(Protocol::socket socket, Address here, std::shared_ptr<HttpService> service,
                    SharedDoor door);
     ~HttpConnection() override;
 
@@ -60,6 +65,7 @@ class HttpConnection : public HttpClient,
 
     std::shared_ptr<HttpService> service_;
     SharedDoor door_;
+    Address here_;
     boost::beast::basic_stream<Protocol> stream_;
     boost::beast::flat_buffer buffer_;
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;

@@ -47,6 +47,22 @@ long clients_of(const SharedDoor& door) {
     return door.use_count() - 1;  // the listener's
 }
 
+/// Where its client has connected to. A client that has gone meanwhile was nowhere.
+Address address_of(const tcp::socket& socket) {
+    error_code error;
+    const auto here = socket.local_endpoint(error);
+    auto host = here.address();
+    if (host.is_v6() && host.to_v6().is_v4_mapped()) {
+        host = asio::ip::make_address_v4(asio::ip::v4_mapped, host.to_v6());
+    }
+    return {host.to_string(), here.port()};
+}
+
+/// A Unix socket has no gate that asks.
+Address address_of(const Local::socket&) {
+    return {};
+}
+
 template <class Protocol>
 class Listener : public HttpPort, public std::enable_shared_from_this<Listener<Protocol>> {
   public:
@@ -75,15 +91,19 @@ class Listener : public HttpPort, public std::enable_shared_from_this<Listener<P
     }
 
   private:
-    using Connection = HttpConnection<Protocol>;
-
     void take_in(typename Protocol::socket socket) {
         Limits& limits = *service_->limits;
         if (clients_of(door_) < static_cast<long>(limits[door_->most]))
-            return std::make_shared<Connection>(std::move(socket), service_, door_)->read_header();
+            return connection(std::move(socket), door_)->read_header();
         const HttpResponse why = problem(503, limits.refuse(door_->most, door_->name));
         if (clients_of(way_out_) < most_turned_away)
-            std::make_shared<Connection>(std::move(socket), service_, way_out_)->turn_away(why);
+            connection(std::move(socket), way_out_)->turn_away(why);
+    }
+
+    [[nodiscard]] std::shared_ptr<HttpConnection> connection(typename Protocol::socket socket,
+                                                             const SharedDoor& door) const {
+        Address here = address_of(socket);
+        return std::make_shared<HttpConnection>(std::move(socket), std::move(here), service_, door);
     }
 
     void accept_later() {

@@ -8,8 +8,6 @@
 #include <utility>
 
 #include <boost/asio/buffer.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/post.hpp>
 
 namespace scipd::daemon {
@@ -30,10 +28,8 @@ constexpr std::chrono::seconds last_words{5};
 
 }  // namespace
 
-template <class Protocol>
-WebSocketConnection<Protocol>::WebSocketConnection(Stream stream,
-                                                   std::shared_ptr<HttpService> service,
-                                                   SharedDoor door)
+WebSocketConnection::WebSocketConnection(Stream stream, std::shared_ptr<HttpService> service,
+                                         SharedDoor door)
     : service_(std::move(service)),
       door_(std::move(door)),
       socket_(std::move(stream)),
@@ -50,13 +46,11 @@ WebSocketConnection<Protocol>::WebSocketConnection(Stream stream,
     });
 }
 
-template <class Protocol>
-WebSocketConnection<Protocol>::~WebSocketConnection() {
+WebSocketConnection::~WebSocketConnection() {
     service_->clients.erase(this);
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::open(const Request& request, Converse converse) {
+void WebSocketConnection::open(const Request& request, Converse converse) {
     const auto offers = subprotocols(request);
     if (std::ranges::find(offers, own_subprotocol) != offers.end()) {
         socket_.set_option(websocket::stream_base::decorator([](websocket::response_type& answer) {
@@ -66,11 +60,10 @@ void WebSocketConnection<Protocol>::open(const Request& request, Converse conver
     // The conversation begins first: who has the answer misses nothing that happens afterwards.
     conversation_ = converse(*this);
     socket_.async_accept(
-        request, [self = this->shared_from_this()](const Error& error) { self->accepted(error); });
+        request, [self = shared_from_this()](const Error& error) { self->accepted(error); });
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::accepted(const Error& error) {
+void WebSocketConnection::accepted(const Error& error) {
     if (error || service_->closed) return conversation_.reset();
     accepted_ = true;
     if (refused_) return tell_why();
@@ -78,22 +71,18 @@ void WebSocketConnection<Protocol>::accepted(const Error& error) {
     read();
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::read() {
+void WebSocketConnection::read() {
     waits_for_room_ = queue_.size() >= most_unread;
     if (!waits_for_room_) read_more();
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::read_more() {
-    socket_.async_read_some(buffer_, most_at_once,
-                            [self = this->shared_from_this()](const Error& error, std::size_t) {
-                                self->received(error);
-                            });
+void WebSocketConnection::read_more() {
+    socket_.async_read_some(
+        buffer_, most_at_once,
+        [self = shared_from_this()](const Error& error, std::size_t) { self->received(error); });
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::received(const Error& error) {
+void WebSocketConnection::received(const Error& error) {
     // The conversation may hold what refers to others that end before the last handler does.
     if (error || service_->closed || refused_) return conversation_.reset();
     if (buffer_.size() > (*service_->limits)[Limit::http_body_bytes])
@@ -103,25 +92,22 @@ void WebSocketConnection<Protocol>::received(const Error& error) {
     if (!refused_) work_off();
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::count() {
+void WebSocketConnection::count() {
     constexpr Limit limit = Limit::websocket_messages_per_s;
     if (!refused_ && !rate_.admit((*service_->limits)[limit])) refuse(limit);
 }
 
 /// A long message in many turns of the event loop.
-template <class Protocol>
-void WebSocketConnection<Protocol>::work_off() {
+void WebSocketConnection::work_off() {
     // It has ended with a write that failed, while this message had already come.
     if (!conversation_) return;
     const auto bytes = buffer_.cdata();
     buffer_.consume(conversation_->take({static_cast<const char*>(bytes.data()), bytes.size()}));
     if (buffer_.size() == 0) return read();
-    asio::post(socket_.get_executor(), [self = this->shared_from_this()] { self->work_off(); });
+    asio::post(socket_.get_executor(), [self = shared_from_this()] { self->work_off(); });
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::enqueue(Message message) {
+void WebSocketConnection::enqueue(Message message) {
     const std::size_t bytes = queue_bytes_ + message.content->size();
     if (refused_) return;
     // A single message may be of any size.
@@ -132,17 +118,14 @@ void WebSocketConnection<Protocol>::enqueue(Message message) {
     if (accepted_ && queue_.size() == 1) write();
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::write() {
+void WebSocketConnection::write() {
     socket_.binary(queue_.front().binary);
-    socket_.async_write(asio::buffer(*queue_.front().content),
-                        [self = this->shared_from_this()](const Error& error, std::size_t) {
-                            self->written(error);
-                        });
+    socket_.async_write(
+        asio::buffer(*queue_.front().content),
+        [self = shared_from_this()](const Error& error, std::size_t) { self->written(error); });
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::written(const Error& error) {
+void WebSocketConnection::written(const Error& error) {
     if (error || service_->closed) return conversation_.reset();
     queue_bytes_ -= queue_.front().content->size();
     queue_.pop_front();
@@ -152,40 +135,33 @@ void WebSocketConnection<Protocol>::written(const Error& error) {
     if (waits_for_room_) read();
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::refuse(Limit limit, websocket::close_code code) {
+void WebSocketConnection::refuse(Limit limit, websocket::close_code code) {
     refused_ = true;
     const std::string why = service_->limits->refuse(limit, door_->name);
     reason_.code = code;
     reason_.reason.assign(why.data(), std::min(why.size(), reason_.reason.max_size()));
     // In another turn, since the conversation itself may be sending.
     if (accepted_)
-        asio::post(socket_.get_executor(), [self = this->shared_from_this()] { self->tell_why(); });
+        asio::post(socket_.get_executor(), [self = shared_from_this()] { self->tell_why(); });
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::tell_why() {
+void WebSocketConnection::tell_why() {
     conversation_.reset();
-    socket_.async_close(
-        reason_, [self = this->shared_from_this()](const Error&) { self->patience_.cancel(); });
+    socket_.async_close(reason_,
+                        [self = shared_from_this()](const Error&) { self->patience_.cancel(); });
     patience_.expires_after(last_words);
-    patience_.async_wait([self = this->shared_from_this()](const Error& error) {
+    patience_.async_wait([self = shared_from_this()](const Error& error) {
         if (!error) self->close();
     });
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::cut() {
-    asio::post(socket_.get_executor(), [self = this->shared_from_this()] { self->close(); });
+void WebSocketConnection::cut() {
+    asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close(); });
 }
 
-template <class Protocol>
-void WebSocketConnection<Protocol>::close() {
+void WebSocketConnection::close() {
     conversation_.reset();
     boost::beast::get_lowest_layer(socket_).close();
 }
-
-template class WebSocketConnection<asio::ip::tcp>;
-template class WebSocketConnection<asio::local::stream_protocol>;
 
 }  // namespace scipd::daemon

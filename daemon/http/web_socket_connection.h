@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One WebSocket over any stream that an HTTP request came by. It reads messages for a conversation
+// One WebSocket over the stream that an HTTP request came by. It reads messages for a conversation
 // and writes what the conversation sends. Keeps itself alive. Lives on the I/O thread.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -20,12 +21,11 @@
 
 namespace scipd::daemon {
 
-template <class Protocol>
 class WebSocketConnection : public HttpClient,
                             public WebSocket,
-                            public std::enable_shared_from_this<WebSocketConnection<Protocol>> {
+                            public std::enable_shared_from_this<WebSocketConnection> {
   public:
-    using Stream = boost::beast::basic_stream<Protocol>;
+    using Stream = boost::beast::basic_stream<boost::asio::generic::stream_protocol>;
     using Request = boost::beast::http::request<boost::beast::http::string_body>;
 
     WebSocketConnection(Stream stream, std::shared_ptr<HttpService> service, SharedDoor door);

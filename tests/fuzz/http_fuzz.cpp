@@ -116,7 +116,8 @@ class Exchange {
         const auto is_public = [](std::string_view path) { return path == "/public"; };
         const auto door = std::make_shared<const HttpDoor>(
             HttpDoor{"fuzz", Limit::http_connections, Gate{std::string(token), is_public}});
-        std::make_shared<HttpConnection<Local>>(std::move(server), service_, door)->read_header();
+        std::make_shared<HttpConnection>(std::move(server), Address{}, service_, door)
+            ->read_header();
         if (by_web_socket) {
             send(upgrade);
             require(come_.starts_with("HTTP/1.1 101 ") && come_.ends_with("\r\n\r\n"),
