@@ -45,11 +45,16 @@ function(scipd_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# scipd_quick_build(): what follows in this folder computes no scans, so a quick build need not optimize it. GCC
-# compiles nothing faster than with -Og (-O0 writes more than it saves), and warns of values that it has lost sight of.
+# scipd_compile_quickly(): what follows in this folder need not be optimized. GCC compiles nothing faster than with -Og
+# (-O0 writes more than it saves), and warns of values that it has lost sight of.
+macro(scipd_compile_quickly)
+  add_compile_options("$<$<CONFIG:Release>:-Og;-Wno-maybe-uninitialized>")
+endmacro()
+
+# scipd_quick_build(): what follows in this folder computes no scans, so a quick build need not optimize it.
 macro(scipd_quick_build)
   if(SCIPD_QUICK_BUILD)
-    add_compile_options("$<$<CONFIG:Release>:-Og;-Wno-maybe-uninitialized>")
+    scipd_compile_quickly()
   endif()
 endmacro()
 

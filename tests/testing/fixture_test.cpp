@@ -12,6 +12,7 @@
 #include "sim/recording/open_recording.h"
 #include "tests/support/child.h"
 #include "tests/support/temp_dir.h"
+#include "tests/testing/room.h"
 
 namespace {
 
@@ -24,7 +25,7 @@ using ::testing::Not;
 TEST(Fixture, KeepsLogWireAndLastScansOfATestThatFails) {
     const tests::TempDir folder;
     ::setenv("SCIPD_KEEP", folder.path().c_str(), 1);
-    const auto done = tests::run({KEPT_WHEN_FAILED, SCENES "/square_room.sdf"});
+    const auto done = tests::run({KEPT_WHEN_FAILED, room.string()});
     EXPECT_EQ(done.exit_code, 1) << done.err;
     const auto kept = folder.path() / "KeptWhenFailed.Fails";
     EXPECT_THAT(done.err, HasSubstr(kept.string()));

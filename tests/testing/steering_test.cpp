@@ -13,6 +13,7 @@
 
 #include "testing/scipd_test.h"
 #include "tests/support/scanner_wire.h"
+#include "tests/testing/room.h"
 
 namespace {
 
@@ -26,7 +27,7 @@ using ::testing::Not;
 
 class Steering : public ScipdTest {
   protected:
-    Scipd& scipd = start({.world = SCENES "/square_room.sdf", .accuracy = "ideal"});
+    Scipd& scipd = start({.world = room, .accuracy = "ideal"});
 };
 
 TEST_F(Steering, AScanIsWhatTheRoomIs) {

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 """
-What tools/run prints, and what it hands to scipd: run_test.py SOURCES. What it calls is stand-ins.
+What tools/run prints, and what it hands to scipd: run_test.py SOURCES. The programs that it calls are stand-ins.
 """
 import os
 import pathlib
