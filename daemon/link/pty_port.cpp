@@ -206,6 +206,10 @@ void PtyPort::watch() {
 bool PtyPort::somebody_there() {
     int waiting = 0;
     const auto unread = [&] {
+        // What was written may still be on its way through the kernel, where FIONREAD does not see
+        // it. poll() waits for it (tty_buffer_flush_work() in Linux's n_tty_poll()).
+        pollfd input{.fd = master_.native_handle(), .events = POLLIN, .revents = 0};
+        ::poll(&input, 1, 0);
         ::ioctl(master_.native_handle(), FIONREAD, &waiting);
         return waiting > 0 || (connection() && connection()->has_input());
     };

@@ -91,8 +91,8 @@ class Scipd:
         return self.sensors[sensor]["pty"]
 
     def configure(self, text):
-        """Replaces the file in one step, because scipd may read it at any moment."""
-        fresh = self.file.with_suffix(".new")
+        """Replaces the file in one step, because scipd may read it at any moment. So may deeds of other processes."""
+        fresh = self.file.with_suffix(f".{os.getpid()}")
         fresh.write_text(text)
         fresh.rename(self.file)
 
