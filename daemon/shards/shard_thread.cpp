@@ -104,7 +104,9 @@ void ShardThread::run_some() {
     for (int i = 0; i < most_at_once && !called_; ++i) {
         if (io_.poll_one() == 0) break;
     }
-    if (called_) return;
+    // Who calls again and again holds up no sweep for long either.
+    gave_way_ = called_ && !gave_way_;
+    if (gave_way_) return;
     const Clock::Call call = std::move(slow_.front());
     slow_.pop_front();
     call();
@@ -114,15 +116,18 @@ void ShardThread::answer() {
     bool changed = false;
     {
         std::unique_lock lock(mutex_);
-        do {
-            changed |= take_changes(lock);
-            if (!halted_) break;
+        changed |= take_changes(lock);
+        bool let_go = !halted_;
+        while (!let_go) {
             if (catches_up_) guarded(std::exchange(errand_, {}));
             still_ = true;
             catches_up_ = false;
             still_changed_.notify_all();
             still_changed_.wait(lock, [this] { return !still_ || catches_up_; });
-        } while (halted_ || !changes_.empty());
+            // It may be halted again by now, and does something in between.
+            let_go = !still_;
+            changed |= take_changes(lock);
+        }
         ended_ = ending_;
     }
     if (changed && !ended_) on_changed_();

@@ -81,6 +81,7 @@ class ShardThread {
     boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
         io_.get_executor()};
     std::deque<Clock::Call> slow_;  ///< calls that take long and are due
+    bool gave_way_ = false;         ///< a slow call did, to what the shard was called for
     WallClock clock_;
     World world_;
     Shard shard_;

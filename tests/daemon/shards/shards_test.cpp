@@ -274,6 +274,23 @@ TEST_P(ShardsTest, LetNoReplyWaitForMoreThanOneSweep) {
     EXPECT_LT(swept, 50);
 }
 
+TEST_P(ShardsTest, SweepBesideOneWhoNeverStopsAsking) {
+    if (GetParam() == 1) GTEST_SKIP();
+    std::atomic<int> swept = 0;
+    std::vector<std::unique_ptr<Clock::Alarm>> alarms;
+    shards_.still([&] {
+        for (int i = 0; i < 50; ++i) {
+            const Shard& shard = shards_.at(0);
+            alarms.push_back(shard.clock.make_slow_alarm({}));
+            alarms.back()->set(shard.clock.now(), [&] { ++swept; });
+        }
+    });
+    for (int asked = 0; asked < 500; ++asked)
+        shards_.still([] {});
+    EXPECT_EQ(swept, 50);
+    shards_.still([&] { alarms.clear(); });
+}
+
 TEST_P(ShardsTest, DoOnTheirThreadWhatIsAskedForThere) {
     make_busy();
     std::set<std::thread::id> threads;
