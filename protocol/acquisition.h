@@ -51,8 +51,6 @@ class Acquisition {
     /// Whether somebody wants the scan of this turn, which has just fired its last step. To be told
     /// of each turn while measuring(), in order.
     [[nodiscard]] bool turn_complete(const Turn& turn);
-    /// What turn_complete() will say.
-    [[nodiscard]] bool will_take(const Turn& turn) const;
 
     // The stream.
 

@@ -54,8 +54,6 @@ class Session final : public Speaker {
     /// A turn has just fired its last step. To be told once for each turn while measuring(), in
     /// order. True: take() must follow.
     [[nodiscard]] bool turn_complete(const Turn& turn) { return acquisition_.turn_complete(turn); }
-    /// What turn_complete() will say.
-    [[nodiscard]] bool will_take(const Turn& turn) const { return acquisition_.will_take(turn); }
     /// Whether this turn, complete by now, answers the request for a single scan. True: take() must
     /// follow.
     [[nodiscard]] bool waits_for(const Turn& turn) const { return acquisition_.awaits(turn); }

@@ -36,10 +36,6 @@ class Subscription {
     /// very next one, 27 ms after its answer. A turn that began before the laser had settled has
     /// no scan.
     [[nodiscard]] bool takes(const Turn& turn, Uptime settled_at);
-    /// What takes() will say.
-    [[nodiscard]] bool will_take(const Turn& turn, Uptime settled_at) const {
-        return has_scan(turn, settled_at) && turns_to_skip_ == 0;
-    }
 
     /// The message with this scan, which counts as one of the scans that were asked for.
     [[nodiscard]] std::string message(const ScanView& scan, const DeviceState& device,
@@ -62,9 +58,6 @@ class Subscription {
 
   private:
     Subscription() = default;
-    [[nodiscard]] bool has_scan(const Turn& turn, Uptime settled_at) const {
-        return turn.start > after_ && turn.start >= settled_at;
-    }
     [[nodiscard]] Reply head(Status status) const;
 
     std::string echo_;

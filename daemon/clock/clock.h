@@ -50,15 +50,14 @@ class Clock {
     /// long as somebody waits does not go on for this.
     [[nodiscard]] virtual std::unique_ptr<Alarm> make_idle_alarm() { return make_alarm(); }
 
-    /// What takes long of a call, and may be done right before it on another thread, beside that of
-    /// calls that follow it at the same time.
-    struct Ahead {
-        std::size_t shard = 0;  ///< what is of one shard is done one after the other
-        Call work = nullptr;    ///< null: nothing
+    /// Whether a call may be made on another thread, beside calls of other shards.
+    struct Beside {
+        std::size_t shard = 0;
+        std::function<bool()> may = nullptr;  ///< asked when it is due; null: never
     };
     /// For calls that take long: where others wait as well, what is short comes first. A clock that
-    /// waits for nothing does `ahead`, others leave it to the call.
-    [[nodiscard]] virtual std::unique_ptr<Alarm> make_slow_alarm(Ahead /*ahead*/) {
+    /// waits for nothing makes those side by side that follow each other at one time.
+    [[nodiscard]] virtual std::unique_ptr<Alarm> make_slow_alarm(Beside /*beside*/) {
         return make_alarm();
     }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The clock of lockstep and of tests. It waits for nothing. Lives on the I/O thread.
+// The clock of lockstep and of tests. It waits for nothing. Lives on the I/O thread; what calls ask
+// of it that are made side by side they may ask on any thread.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <utility>
 #include <vector>
@@ -16,7 +20,9 @@
 namespace scipd::daemon {
 
 /// World time that advances only when told to. On the way it makes every call that is due, in the
-/// order of time, so that the result does not depend on how long anything takes.
+/// order of time, so that the result does not depend on how long anything takes. The threads that
+/// make calls side by side change nothing about it either: alarms that those set are in the order
+/// of the calls.
 class SteppedClock : public Clock {
   public:
     [[nodiscard]] sim::Time now() const override { return now_; }
@@ -24,12 +30,16 @@ class SteppedClock : public Clock {
     void set_origin(sim::Time origin) { origin_ = origin; }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
     [[nodiscard]] std::unique_ptr<Alarm> make_idle_alarm() override;
-    [[nodiscard]] std::unique_ptr<Alarm> make_slow_alarm(Ahead ahead) override;
+    [[nodiscard]] std::unique_ptr<Alarm> make_slow_alarm(Beside beside) override;
 
-    /// `callback` does what it is given, and returns when all of it is done. Without one, each call
-    /// does its own.
-    using Works = std::vector<const Ahead*>;
-    void on_ahead(std::function<void(const Works&)> callback) { on_ahead_ = std::move(callback); }
+    struct SlowCall {
+        std::size_t shard = 0;
+        Call call;
+    };
+    /// `callback` makes calls of several shards, those of one shard one after the other, and
+    /// returns when all are made. Without one, none are made side by side.
+    using MakeBeside = std::function<void(const std::vector<SlowCall>&)>;
+    void on_beside(MakeBeside callback) { make_beside_ = std::move(callback); }
 
     void hold(const void* who, bool needed) override;
     [[nodiscard]] bool held() const { return !holders_.empty(); }
@@ -50,15 +60,24 @@ class SteppedClock : public Clock {
 
   private:
     class QueuedAlarm;
+    /// The time, and at equal times the order in which they were set.
+    using Place = std::pair<sim::Time, std::uint64_t>;
 
-    void work_ahead();
+    Place enter(sim::Time at, QueuedAlarm& alarm, int counts);
+    void leave(const Place& place, int counts);
+    [[nodiscard]] std::vector<QueuedAlarm*> due_side_by_side() const;
+    void call_side_by_side(const std::vector<QueuedAlarm*>& alarms);
 
     sim::Time now_{};
     sim::Time origin_{};
-    std::multimap<sim::Time, QueuedAlarm*> queue_;  ///< at equal times in the order they were set
-    int awaited_ = 0;                               ///< alarms that are set and not idle
+    MakeBeside make_beside_;
+    std::uint64_t next_order_ = 0;
+    bool side_by_side_ = false;  ///< right now
+
+    std::mutex mutex_;  ///< calls that are made side by side change the three below
+    std::map<Place, QueuedAlarm*> queue_;
+    int awaited_ = 0;  ///< alarms that are set and not idle
     std::set<const void*> holders_;
-    std::function<void(const Works&)> on_ahead_;
     std::function<void()> on_released_ = [] {};
     std::function<void()> on_awaited_ = [] {};
 };

@@ -57,7 +57,7 @@ std::unique_ptr<Clock::Alarm> WallClock::make_alarm() {
     return std::make_unique<TimerAlarm>(*this, false);
 }
 
-std::unique_ptr<Clock::Alarm> WallClock::make_slow_alarm(Ahead /*ahead*/) {
+std::unique_ptr<Clock::Alarm> WallClock::make_slow_alarm(Beside /*beside*/) {
     return std::make_unique<TimerAlarm>(*this, true);
 }
 

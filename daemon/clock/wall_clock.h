@@ -31,7 +31,7 @@ class WallClock : public Clock {
         return std::chrono::system_clock::now().time_since_epoch() - now();
     }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
-    [[nodiscard]] std::unique_ptr<Alarm> make_slow_alarm(Ahead ahead) override;
+    [[nodiscard]] std::unique_ptr<Alarm> make_slow_alarm(Beside beside) override;
 
   private:
     using Steady = std::chrono::steady_clock;

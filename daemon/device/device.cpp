@@ -186,14 +186,9 @@ void Device::follow_motor() {
     timing_.turn_from(mirror.origin, mirror.tick);
 }
 
-// Faults may change what is to come.
-void Device::prepare(std::int64_t revolution) {
-    if (hook_ != nullptr || !sweep_.stands_alone()) return;
-    if (!shows(revolution)) return;
-    const protocol::Turn turn{.start = start_of(revolution)};
-    const bool taken = std::ranges::any_of(
-        clients_, [&](const auto* client) { return client->session().will_take(turn); });
-    if (taken || watchers_.any()) (void)measure(revolution);
+// Faults may have to do with other sensors.
+bool Device::stands_alone() const {
+    return hook_ == nullptr && sweep_.stands_alone();
 }
 
 void Device::turn_complete(std::int64_t revolution) {

@@ -85,7 +85,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] sim::Time leaves(std::int64_t revolution) const override;
     [[nodiscard]] sim::Time patience() const override { return patience_; }
     [[nodiscard]] bool poses_known(std::int64_t revolution) const override;
-    void prepare(std::int64_t revolution) override;
+    [[nodiscard]] bool stands_alone() const override;
     void turn_complete(std::int64_t revolution) override;
     /// The latest one whose turn was told, which is late where the machine is slow; -1: none.
     [[nodiscard]] std::int64_t latest_turn() const { return latest_turn_; }

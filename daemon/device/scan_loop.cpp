@@ -29,9 +29,9 @@ void tell_lost(const std::string& sensor, std::int64_t turns) {
 }  // namespace
 
 ScanLoop::ScanLoop(ScanSource& source, Clock& clock, std::size_t shard)
-    : source_(source),
-      clock_(clock),
-      alarm_(clock.make_slow_alarm({.shard = shard, .work = [this] { prepare(); }})) {
+    : source_(source), clock_(clock), alarm_(clock.make_slow_alarm({.shard = shard, .may = [this] {
+                                                                        return may_serve_beside();
+                                                                    }})) {
     source_.on_wanted([this] { wake(); });
 }
 
@@ -74,9 +74,9 @@ void ScanLoop::serve() {
     if (source_.wanted()) wait(source_.leaves(revolution_));
 }
 
-void ScanLoop::prepare() {
-    const bool complete = clock_.now() >= source_.leaves(revolution_);
-    if (complete && source_.poses_known(revolution_)) source_.prepare(revolution_);
+// Where nothing is given up, which would overload the clock of all.
+bool ScanLoop::may_serve_beside() const {
+    return source_.stands_alone() && too_many(clock_.now() - source_.leaves(revolution_)) == 0;
 }
 
 std::int64_t ScanLoop::too_many(sim::Time late) const {

@@ -48,8 +48,8 @@ class ScanLoop {
     void wake();
     void wait(sim::Time until);
     void serve();
-    /// Does what takes long of serve(), on any thread, where it is certain to come next.
-    void prepare();
+    /// Whether serve() may run on another thread now, beside those of other shards.
+    [[nodiscard]] bool may_serve_beside() const;
     /// How many turns must be given up where the next one leaves so late.
     [[nodiscard]] std::int64_t too_many(sim::Time late) const;
     void give_up(std::int64_t turns);

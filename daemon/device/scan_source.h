@@ -41,9 +41,9 @@ class ScanSource {
     [[nodiscard]] virtual sim::Time patience() const = 0;
     /// Whether the scan need not wait for poses any more.
     [[nodiscard]] virtual bool poses_known(std::int64_t revolution) const = 0;
-    /// Measures what turn_complete() is going to serve, where nothing that may happen before can
-    /// change it. While nobody else calls, on a thread where what its backends use is not bound.
-    virtual void prepare(std::int64_t /*revolution*/) {}
+    /// Whether turn_complete() depends on no other sensor and changes nothing of theirs, so that it
+    /// may be called on any thread while nobody else uses this shard.
+    [[nodiscard]] virtual bool stands_alone() const { return false; }
     /// To be called once for each revolution, in order, at or after leaves(): serves everyone who
     /// takes it.
     virtual void turn_complete(std::int64_t revolution) = 0;

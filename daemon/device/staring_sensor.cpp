@@ -63,10 +63,6 @@ bool StaringSensor::poses_known(std::int64_t number) const {
     return sweep_.poses_known(leaves(number));
 }
 
-void StaringSensor::prepare(std::int64_t number) {
-    if (watchers_.any() && sweep_.stands_alone()) (void)measure(number);
-}
-
 void StaringSensor::turn_complete(std::int64_t number) {
     if (!watchers_.any()) return;
     watchers_.tell(*measure(number));

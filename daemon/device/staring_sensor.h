@@ -52,7 +52,7 @@ class StaringSensor : public ScanSource {
     [[nodiscard]] sim::Time leaves(std::int64_t number) const override;
     [[nodiscard]] sim::Time patience() const override { return patience_; }
     [[nodiscard]] bool poses_known(std::int64_t number) const override;
-    void prepare(std::int64_t number) override;
+    [[nodiscard]] bool stands_alone() const override { return sweep_.stands_alone(); }
     void turn_complete(std::int64_t number) override;
 
     /// The measurement of the last instant that need not wait for poses any more. Measures now

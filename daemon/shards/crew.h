@@ -5,6 +5,7 @@
 // is as good as its own. Used by one thread.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -37,11 +38,11 @@ class Crew {
     std::mutex mutex_;
     std::condition_variable begun_;
     std::condition_variable done_;
-    std::span<const Job> jobs_;  ///< job i + 1 is that of hand i
-    std::size_t round_ = 0;      ///< grows with each work()
-    std::size_t at_work_ = 0;    ///< hands that have not ended this round
+    std::span<const Job> jobs_;             ///< job i + 1 is that of hand i
+    std::atomic<std::size_t> round_ = 0;    ///< grows with each work()
+    std::atomic<std::size_t> at_work_ = 0;  ///< hands that have not ended this round
     std::exception_ptr thrown_;
-    bool ending_ = false;
+    std::atomic<bool> ending_ = false;
     std::vector<std::thread> threads_;  ///< last: they use all of the above
 };
 

@@ -13,6 +13,18 @@ namespace scipd::daemon {
 namespace {
 
 using Threads = std::vector<std::unique_ptr<ShardThread>>;
+using Calls = std::vector<std::function<void()>>;
+
+/// Where call_home() leaves what is called from a call that this thread makes beside others.
+thread_local Calls* for_home = nullptr;
+
+class LeavesForHome {
+  public:
+    explicit LeavesForHome(Calls& calls) { for_home = &calls; }
+    LeavesForHome(const LeavesForHome&) = delete;
+    LeavesForHome& operator=(const LeavesForHome&) = delete;
+    ~LeavesForHome() { for_home = nullptr; }
+};
 
 /// Longer than sweeps take.
 constexpr std::chrono::milliseconds in_time{10};
@@ -57,7 +69,8 @@ Shards::Shards(const boost::asio::any_io_executor& home, World& world, SteppedCl
         in_step_.push_back(std::make_unique<InStep>(number, home, clock));
     crew_ = std::make_unique<Crew>(count - 1);
     world.on_change([this](const World::Change& change, World::Haste) { tell_in_step(change); });
-    clock.on_ahead([this](const SteppedClock::Works& works) { work_ahead(works); });
+    clock.on_beside(
+        [this](const std::vector<SteppedClock::SlowCall>& calls) { call_side_by_side(calls); });
 }
 
 Shards::~Shards() {
@@ -92,7 +105,8 @@ void Shards::still_on(std::size_t number, const std::function<void()>& act) {
 }
 
 void Shards::call_home(std::function<void()> call) {
-    if (threads_.empty() && !works_ahead_) return call();
+    if (for_home != nullptr) return for_home->push_back(std::move(call));
+    if (threads_.empty()) return call();
     boost::asio::post(home_, std::move(call));
 }
 
@@ -119,22 +133,25 @@ void Shards::tell_in_step(const World::Change& change) {
         changed_(number);
 }
 
-void Shards::work_ahead(const SteppedClock::Works& works) {
-    std::vector<SteppedClock::Works> by_shard(size());
-    for (const Clock::Ahead* const ahead : works)
-        by_shard[ahead->shard].push_back(ahead);
+// What they leave for home is done in the order of the calls, whatever the threads do.
+void Shards::call_side_by_side(const std::vector<SteppedClock::SlowCall>& calls) {
+    std::vector<Calls> home(calls.size());
+    std::vector<std::vector<std::size_t>> by_shard(size());
+    for (std::size_t i = 0; i < calls.size(); ++i)
+        by_shard[calls[i].shard].push_back(i);
     std::erase_if(by_shard, [](const auto& some) { return some.empty(); });
-    if (by_shard.size() < 2) return;  // each call may as well do its own
     std::vector<Crew::Job> jobs;
-    for (const SteppedClock::Works& some : by_shard) {
-        jobs.emplace_back([&some] {
-            for (const Clock::Ahead* const ahead : some)
-                ahead->work();
+    for (const auto& some : by_shard) {
+        jobs.emplace_back([&] {
+            for (const std::size_t i : some) {
+                const LeavesForHome leaves_for_home(home[i]);
+                calls[i].call();
+            }
         });
     }
-    works_ahead_ = true;
     crew_->work(jobs);
-    works_ahead_ = false;
+    for (const Calls& some : home)
+        std::ranges::for_each(some, [](const auto& one) { one(); });
 }
 
 void Shards::flush() {

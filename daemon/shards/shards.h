@@ -4,8 +4,8 @@
 // All shards of a simulation, as the I/O thread sees them. It tells them what changes in the world,
 // and may touch what lives on them while they stand still. With one shard there is no other thread:
 // sensors live on the I/O thread, in the world that is there, and standing still costs nothing. On
-// a stepped clock all shards live on the I/O thread, each beside its copy of the world; only what
-// they do ahead of their calls (Clock::Ahead) is done side by side. Lives on the I/O thread.
+// a stepped clock all shards live on the I/O thread, each beside its copy of the world; only calls
+// that stand alone (Clock::Beside) are made side by side. Lives on the I/O thread.
 #pragma once
 
 #include <algorithm>
@@ -88,7 +88,7 @@ class Shards {
 
     void tell(const World::Change& change, World::Haste haste);
     void tell_in_step(const World::Change& change);
-    void work_ahead(const SteppedClock::Works& works);
+    void call_side_by_side(const std::vector<SteppedClock::SlowCall>& calls);
     /// Hands over what is kept to be told at once.
     void flush();
     void halt();
@@ -101,7 +101,6 @@ class Shards {
     std::vector<std::unique_ptr<ShardThread>> threads_;
     std::vector<std::unique_ptr<InStep>> in_step_;
     std::unique_ptr<Crew> crew_;  ///< null: nothing is done side by side
-    bool works_ahead_ = false;    ///< right now
     std::function<void(std::size_t)> changed_ = [](std::size_t) {};  ///< for those in step
     std::function<void(std::size_t)> late_ = [](std::size_t) {};
     std::vector<World::Change> kept_;  ///< poses come in bunches, and waking a thread takes longer

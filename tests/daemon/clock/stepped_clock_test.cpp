@@ -2,7 +2,10 @@
 // Copyright The scipd authors
 #include "daemon/clock/stepped_clock.h"
 
+#include <array>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -113,36 +116,59 @@ TEST(SteppedClock, NeverGoesBack) {
     EXPECT_EQ(clock.now(), 2s);
 }
 
-TEST(SteppedClock, HasDoneAheadWhatFollowsEachOtherAtOneTime) {
+TEST(SteppedClock, MakesCallsSideBySideThatFollowEachOtherAtOneTime) {
     SteppedClock clock;
     std::string done;
-    clock.on_ahead([&](const SteppedClock::Works& works) {
+    clock.on_beside([&](const std::vector<SteppedClock::SlowCall>& calls) {
         done += '(';
-        for (const Clock::Ahead* const ahead : works)
-            ahead->work();
+        for (const SteppedClock::SlowCall& call : calls)
+            call.call();
         done += ')';
     });
-    const auto slow = [&](char name) {
-        return clock.make_slow_alarm({.work = [&done, name] { done += name; }});
-    };
+    bool may = true;
+    const auto slow = [&] { return clock.make_slow_alarm({.may = [&may] { return may; }}); };
     const auto call = [&](char name) { return [&done, name] { done += name; }; };
-    const auto a = slow('a');
-    const auto b = slow('b');
-    const auto c = slow('c');
-    const auto d = slow('d');
-    const auto between = clock.make_alarm();
-    a->set(10ms, call('A'));
-    b->set(10ms, call('B'));
-    between->set(10ms, call('-'));
-    c->set(10ms, call('C'));
-    d->set(20ms, call('D'));
+    const std::array alarms{slow(), slow(), clock.make_alarm(), slow(), slow()};
+    const auto set_all = [&](sim::Time at) {
+        for (std::size_t i = 0; i < alarms.size(); ++i)
+            alarms[i]->set(at, call(static_cast<char>('a' + i)));
+    };
+    set_all(10ms);
+    alarms.back()->set(20ms, call('e'));
     clock.advance_to(20ms);
-    EXPECT_EQ(done, "(ab)AB-CD");
+    EXPECT_EQ(done, "(ab)cde");
     done.clear();
-    for (const auto& alarm : {&a, &b, &c})
-        (*alarm)->set(30ms, call('.'));
+    may = false;
+    set_all(30ms);
     clock.advance_to(30ms);
-    EXPECT_EQ(done, "(abc)...");
+    EXPECT_EQ(done, "abcde");
+}
+
+TEST(SteppedClock, IsAwaitedAndHeldByCallsThatAreMadeSideBySide) {
+    SteppedClock clock;
+    clock.on_beside([&](const std::vector<SteppedClock::SlowCall>& calls) {
+        for (const SteppedClock::SlowCall& call : calls)
+            call.call();
+    });
+    int awaited = 0;
+    int released = 0;
+    clock.on_awaited([&] { ++awaited; });
+    clock.on_released([&] { ++released; });
+    const auto slow = [&] { return clock.make_slow_alarm({.may = [] { return true; }}); };
+    const std::array alarms{slow(), slow()};
+    for (const auto& alarm : alarms) {
+        alarm->set(10ms, [&clock, again = alarm.get()] {
+            again->set(20ms, [&clock, again] { clock.hold(again, false); });
+            clock.hold(again, true);
+        });
+    }
+    EXPECT_EQ(awaited, 1);
+    clock.advance_to(10ms);
+    EXPECT_EQ(awaited, 2);
+    EXPECT_TRUE(clock.held());
+    clock.advance_to(20ms);
+    EXPECT_EQ(released, 1);
+    EXPECT_FALSE(clock.awaited());
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Shards on a stepped clock: they live on one thread, and only what is done ahead is done on more.
+// Shards on a stepped clock: they live on one thread, and only calls that stand alone are made on
+// more.
 #include <chrono>
 #include <condition_variable>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -26,11 +28,10 @@ using ::testing::ElementsAre;
 
 class ShardsInStep : public testing::Test {
   protected:
-    /// An alarm of this shard whose call and whose work ahead of it do nothing else.
-    std::unique_ptr<Clock::Alarm> alarm(std::size_t shard, std::function<void()> work,
-                                        sim::Time at = 10ms) {
-        auto alarm = clock_.make_slow_alarm({.shard = shard, .work = std::move(work)});
-        alarm->set(at, [] {});
+    /// Its call stands alone.
+    std::unique_ptr<Clock::Alarm> alarm(std::size_t shard, Clock::Call call) {
+        auto alarm = clock_.make_slow_alarm({.shard = shard, .may = [] { return true; }});
+        alarm->set(10ms, std::move(call));
         return alarm;
     }
 
@@ -52,7 +53,7 @@ TEST_F(ShardsInStep, KnowAtOnceWhatChanges) {
 }
 
 // Each of the three waits until all have begun.
-TEST_F(ShardsInStep, WorkSideBySide) {
+TEST_F(ShardsInStep, CallSideBySide) {
     std::mutex mutex;
     std::condition_variable changed;
     int begun = 0;
@@ -71,7 +72,7 @@ TEST_F(ShardsInStep, WorkSideBySide) {
     EXPECT_TRUE(threads.contains(std::this_thread::get_id()));
 }
 
-TEST_F(ShardsInStep, DoWhatIsOfOneShardInOrder) {
+TEST_F(ShardsInStep, MakeCallsOfOneShardInOrder) {
     std::string done;
     const std::vector alarms{std::shared_ptr(alarm(1, [&] { done += 'a'; })),
                              std::shared_ptr(alarm(0, [] {})),
@@ -80,17 +81,36 @@ TEST_F(ShardsInStep, DoWhatIsOfOneShardInOrder) {
     EXPECT_EQ(done, "ab");
 }
 
-TEST_F(ShardsInStep, AreToldHomeAfterTheWork) {
+// The second call is over before the first one goes on.
+TEST_F(ShardsInStep, LeaveNothingToTheOrderOfThreads) {
     std::string told;
-    const auto tell = [&] { shards_.call_home([&] { told += '.'; }); };
-    const std::vector alarms{std::shared_ptr(alarm(0, tell)), std::shared_ptr(alarm(1, tell))};
+    std::promise<void> second_is_over;
+    const auto first_set = clock_.make_alarm();
+    const auto second_set = clock_.make_alarm();
+    const auto tell = [&told, home = std::this_thread::get_id()](char name) {
+        return [&told, name, home] {
+            EXPECT_EQ(std::this_thread::get_id(), home);
+            told += name;
+        };
+    };
+    const std::vector alarms{std::shared_ptr(alarm(0,
+                                                   [&] {
+                                                       second_is_over.get_future().wait_for(20s);
+                                                       shards_.call_home(tell('a'));
+                                                       first_set->set(20ms, tell('c'));
+                                                   })),
+                             std::shared_ptr(alarm(1, [&] {
+                                 shards_.call_home(tell('b'));
+                                 second_set->set(20ms, tell('d'));
+                                 second_is_over.set_value();
+                             }))};
     clock_.advance_to(10ms);
-    EXPECT_EQ(told, "");
-    io_.run();
-    EXPECT_EQ(told, "..");
+    EXPECT_EQ(told, "ab");
+    clock_.advance_to(20ms);
+    EXPECT_EQ(told, "abcd");
 }
 
-TEST_F(ShardsInStep, ThrowWhatTheWorkThrows) {
+TEST_F(ShardsInStep, ThrowWhatACallThrows) {
     const auto fail = [] { throw std::runtime_error("no driver"); };
     const std::vector alarms{std::shared_ptr(alarm(0, [] {})), std::shared_ptr(alarm(2, fail))};
     EXPECT_THROW(clock_.advance_to(10ms), std::runtime_error);
