@@ -208,9 +208,9 @@ def check_that_scipd_refuses_them(browser, program, scene):
 
 def main():
     program, scene = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:])
-    browser = shutil.which("chromium")
+    browser = shutil.which("chromium-headless-shell") or shutil.which("chromium")
     if not browser:
-        print("skipped: there is no chromium; `tools/install test` installs it")
+        print("skipped: there is no chromium-headless-shell; `tools/install test` installs it")
         return SKIPPED
     check_that_the_attacks_are_real(browser)
     check_that_scipd_refuses_them(browser, program, scene)

@@ -6,11 +6,15 @@ import {Color, PerspectiveCamera, Scene, WebGLRenderer} from './three.module.js'
 
 const SHARPEST = 2;
 const FIELD_OF_VIEW_DEG = 50;
+// A picture that a processor draws takes it 40 ms. With one for each scan little would be left for scipd.
+const SOFTWARE_PERIOD_MS = 50;
 
 export class Stage {
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({canvas, antialias: !drawsInSoftware()});
+    const software = drawsInSoftware();
+    this.renderer = new WebGLRenderer({canvas, antialias: !software});
+    this.period_ms = software ? SOFTWARE_PERIOD_MS : 0;
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(FIELD_OF_VIEW_DEG, 1, 0.05, 2000);
     this.camera.up.set(0, 0, 1);
@@ -27,7 +31,10 @@ export class Stage {
   invalidate() {
     if (this.waiting) return;
     this.waiting = true;
-    requestAnimationFrame((now_ms) => this.draw(now_ms));
+    const draw = () => requestAnimationFrame((now_ms) => this.draw(now_ms));
+    const early_ms = this.drawn_ms + this.period_ms - performance.now();
+    if (early_ms > 0) setTimeout(draw, early_ms);
+    else draw();
   }
 
   /** act(seconds since the last picture) before each picture. */
