@@ -9,10 +9,12 @@ import {hash, lookFrom} from './eye.js';
 const EYE = [0, -0.001, 9];
 const AT = [0, 0, 0];
 
+/** What the tape does not tell yet is NaN. */
 async function measured(page) {
-  const [length, along, bearing] = (await page.locator('#tape').innerText()).replaceAll('−', '-').split('\n');
-  return {
-    length_m: parseFloat(length), bearing_deg: parseFloat(bearing), along_m: along.match(/-?[\d.]+/g).map(Number)};
+  const lines = (await page.locator('#tape').innerText()).replaceAll('−', '-').split('\n');
+  const [length, along = '', bearing] = lines;
+  const along_m = along.match(/-?[\d.]+/g) ?? [NaN, NaN, NaN];
+  return {length_m: parseFloat(length), bearing_deg: parseFloat(bearing), along_m: along_m.map(Number)};
 }
 
 test('measures by clicks and by a drag, and moves nothing', async ({page, start}) => {
