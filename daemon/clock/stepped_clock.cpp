@@ -140,24 +140,24 @@ void SteppedClock::call_side_by_side(const std::vector<QueuedAlarm*>& alarms) {
     if (was_held && !held()) on_released_();
 }
 
-bool SteppedClock::step(sim::Time until) {
+std::size_t SteppedClock::step(sim::Time until) {
     if (queue_.empty() || queue_.begin()->first.first > until) {
         now_ = std::max(now_, until);
-        return false;
+        return 0;
     }
     const auto [place, alarm] = *queue_.begin();
     now_ = std::max(now_, place.first);
     const std::vector<QueuedAlarm*> beside = due_side_by_side();
     if (beside.size() > 1) {
         call_side_by_side(beside);
-    } else {
-        alarm->take()();
+        return beside.size();
     }
-    return true;
+    alarm->take()();
+    return 1;
 }
 
 void SteppedClock::advance_to(sim::Time time) {
-    while (step(time)) {
+    while (step(time) > 0) {
     }
 }
 

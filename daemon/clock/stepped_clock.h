@@ -51,9 +51,9 @@ class SteppedClock : public Clock {
     /// The callback runs when the first of those is set.
     void on_awaited(std::function<void()> callback) { on_awaited_ = std::move(callback); }
 
-    /// Makes the first call that is due by `until`, at its own time. False: none is due, and the
-    /// time is now `until`.
-    bool step(sim::Time until);
+    /// Makes the first call that is due by `until`, at its own time, and those that are made beside
+    /// it. Returns how many it made; 0: none is due, and the time is now `until`.
+    std::size_t step(sim::Time until);
     /// Makes all calls that are due by `time`, in the order of time, even if somebody holds the
     /// clock. Calls may set alarms. Time never goes back.
     void advance_to(sim::Time time);

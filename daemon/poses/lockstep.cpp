@@ -12,8 +12,8 @@
 namespace scipd::daemon {
 namespace {
 
-// So many steps are done before the event loop turns to the sockets again.
-constexpr int calls_in_one_go = 64;
+// So many calls are made before the event loop turns to the sockets again.
+constexpr std::size_t calls_in_one_go = 64;
 
 using Seconds = std::chrono::duration<double>;
 // With these limits the difference of any two times of the world fits into a Time.
@@ -115,9 +115,11 @@ void Lockstep::go_on() {
 }
 
 void Lockstep::work() {
-    for (int i = 0; i < calls_in_one_go; ++i) {
+    for (std::size_t calls = 0; calls < calls_in_one_go;) {
         if (clock_.held()) return;  // goes on when it is released
-        if (!clock_.step(target())) return call_whoever_waits();
+        const std::size_t made = clock_.step(target());
+        if (made == 0) return call_whoever_waits();
+        calls += made;
     }
     go_on();
 }

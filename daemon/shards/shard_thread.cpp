@@ -95,18 +95,16 @@ void ShardThread::run() {
 }
 
 void ShardThread::run_some() {
-    if (slow_.empty()) {
-        io_.run_one();
-        return;
-    }
+    if (slow_.empty()) io_.run_one();
+    // Who calls is answered first, but not twice: one who calls again and again holds up nobody.
+    const bool gives_way = !gave_way_;
     // A client may never stop asking: not all of that is heard first.
     constexpr int most_at_once = 64;
-    for (int i = 0; i < most_at_once && !called_; ++i) {
+    for (int i = 0; i < most_at_once && !(called_ && gives_way); ++i) {
         if (io_.poll_one() == 0) break;
     }
-    // Who calls again and again holds up no sweep for long either.
-    gave_way_ = called_ && !gave_way_;
-    if (gave_way_) return;
+    gave_way_ = called_ && gives_way;
+    if (gave_way_ || slow_.empty()) return;
     const Clock::Call call = std::move(slow_.front());
     slow_.pop_front();
     call();

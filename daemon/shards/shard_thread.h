@@ -42,13 +42,14 @@ class ShardThread {
 
     /// Several shards share them.
     using Changes = std::shared_ptr<const std::vector<World::Change>>;
-    /// What is told first is done first, before the next handler; while it stands still, when it
-    /// goes on.
+    /// What is told first is done first, before the next handler or a sweep that has given way
+    /// before; while it stands still, when it goes on.
     void tell(Changes changes);
 
     using Time = std::chrono::steady_clock::time_point;
 
-    /// It stands still as soon as the handler that runs now has ended.
+    /// It stands still as soon as the handler that runs now has ended. Between two halts it does
+    /// something: a sweep at most.
     void halt();
     /// Waits until it stands still, at most until that time. Returns whether it does.
     bool wait_until_still_by(Time time);
@@ -73,7 +74,7 @@ class ShardThread {
     void guarded(Act act);
     void wake();
 
-    /// Runs what is ready and short, then one call that takes long.
+    /// Runs what is ready and short, then one call that takes long, unless it is called.
     void run_some();
 
     boost::asio::any_io_executor home_;
@@ -81,7 +82,7 @@ class ShardThread {
     boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
         io_.get_executor()};
     std::deque<Clock::Call> slow_;  ///< calls that take long and are due
-    bool gave_way_ = false;         ///< a slow call did, to what the shard was called for
+    bool gave_way_ = false;         ///< run_some() did, the last time
     WallClock clock_;
     World world_;
     Shard shard_;

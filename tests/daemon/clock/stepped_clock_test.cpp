@@ -137,6 +137,11 @@ TEST(SteppedClock, MakesCallsSideBySideThatFollowEachOtherAtOneTime) {
     alarms.back()->set(20ms, call('e'));
     clock.advance_to(20ms);
     EXPECT_EQ(done, "(ab)cde");
+    set_all(25ms);
+    EXPECT_EQ(clock.step(25ms), 2U);
+    EXPECT_EQ(clock.step(25ms), 1U);
+    clock.advance_to(25ms);
+    EXPECT_EQ(clock.step(25ms), 0U);
     done.clear();
     may = false;
     set_all(30ms);
