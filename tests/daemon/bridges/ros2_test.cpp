@@ -31,7 +31,8 @@ class Ros2Test : public testing::Test {
     }
 
     [[nodiscard]] static bool matched(const FastDdsPublisher& publisher, int count = 1) {
-        for (int i = 0; i < 200 && publisher.subscribers() != count; ++i)
+        // They find each other late where many tests run.
+        for (int i = 0; i < 1000 && publisher.subscribers() != count; ++i)
             std::this_thread::sleep_for(50ms);
         return publisher.subscribers() == count;
     }
