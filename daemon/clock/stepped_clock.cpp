@@ -38,7 +38,8 @@ class SteppedClock::QueuedAlarm : public Clock::Alarm {
     void set(sim::Time at, Call call) override {
         cancel();
         call_ = std::move(call);
-        place_ = clock_.enter(at, *this, counts_);
+        place_ = clock_.next_place(at);
+        clock_.enter(*place_, *this, counts_);
     }
 
     void cancel() override {
@@ -76,8 +77,11 @@ std::unique_ptr<Clock::Alarm> SteppedClock::make_slow_alarm(Beside beside) {
     return std::make_unique<QueuedAlarm>(*this, false, std::move(beside));
 }
 
-SteppedClock::Place SteppedClock::enter(sim::Time at, QueuedAlarm& alarm, int counts) {
-    const Place place{at, order_in_call != nullptr ? (*order_in_call)++ : next_order_++};
+SteppedClock::Place SteppedClock::next_place(sim::Time at) {
+    return {at, order_in_call != nullptr ? (*order_in_call)++ : next_order_++};
+}
+
+void SteppedClock::enter(const Place& place, QueuedAlarm& alarm, int counts) {
     bool first = false;
     {
         const std::lock_guard lock(mutex_);
@@ -86,7 +90,6 @@ SteppedClock::Place SteppedClock::enter(sim::Time at, QueuedAlarm& alarm, int co
         awaited_ += counts;
     }
     if (first && !side_by_side_) on_awaited_();
-    return place;
 }
 
 void SteppedClock::leave(const Place& place, int counts) {

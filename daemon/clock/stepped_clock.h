@@ -63,7 +63,8 @@ class SteppedClock : public Clock {
     /// The time, and at equal times the order in which they were set.
     using Place = std::pair<sim::Time, std::uint64_t>;
 
-    Place enter(sim::Time at, QueuedAlarm& alarm, int counts);
+    [[nodiscard]] Place next_place(sim::Time at);
+    void enter(const Place& place, QueuedAlarm& alarm, int counts);
     void leave(const Place& place, int counts);
     [[nodiscard]] std::vector<QueuedAlarm*> due_side_by_side() const;
     void call_side_by_side(const std::vector<QueuedAlarm*>& alarms);
