@@ -37,12 +37,32 @@ function(scipd_library name)
   add_library(${name} STATIC ${ARGN})
   # Those who use an installed library have warnings and include paths of their own.
   target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:scipd_options>)
+  scipd_use_precompiled(${name})
 endfunction()
 
 # scipd_alone(sources...): keeps these sources out of the batches of a unity build (presets release and ci). It is for
 # sources of one target that define the same name, or that include system headers which conflict.
 function(scipd_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+set(SCIPD_COMMON_HEADERS <algorithm> <array> <chrono> <cmath> <filesystem> <functional> <map> <memory> <optional> <span>
+                         <stdexcept> <string> <string_view> <utility> <variant> <vector>)
+
+# scipd_precompile(NAME HEADERS headers... LINK libraries...): reads headers once, for all targets of a quick build for
+# which SCIPD_PRECOMPILED is NAME. A source still includes what it needs: other builds read each header where it stands.
+function(scipd_precompile name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LINK")
+  file(GENERATE OUTPUT ${name}.cpp CONTENT "")
+  add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  target_link_libraries(${name} PRIVATE scipd_options ${arg_LINK})
+  target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+endfunction()
+
+function(scipd_use_precompiled name)
+  if(SCIPD_PRECOMPILED)
+    target_precompile_headers(${name} REUSE_FROM ${SCIPD_PRECOMPILED})
+  endif()
 endfunction()
 
 # scipd_compile_quickly(): what follows in this folder need not be optimized. GCC compiles nothing faster than with -Og
@@ -55,10 +75,15 @@ endmacro()
 macro(scipd_quick_build)
   if(SCIPD_QUICK_BUILD)
     scipd_compile_quickly()
+    if(NOT TARGET scipd_headers)
+      scipd_precompile(scipd_headers HEADERS ${SCIPD_COMMON_HEADERS})
+    endif()
+    set(SCIPD_PRECOMPILED scipd_headers)
   endif()
 endmacro()
 
 function(scipd_program name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE scipd_options)
+  scipd_use_precompiled(${name})
 endfunction()

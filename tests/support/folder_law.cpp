@@ -12,7 +12,7 @@ constexpr std::string_view never_reaches_words = "Never reaches:";
 constexpr std::string_view alone_words = " alone may also include ";
 
 /// The names between backticks.
-Names quoted(std::string_view text) {
+Names quoted_in(std::string_view text) {
     Names names;
     for (;;) {
         const std::size_t begin = text.find('`');
@@ -48,14 +48,14 @@ std::optional<FolderLaw> law_in(std::string_view readme) {
     for (const std::string& item : items_in(readme)) {
         if (item.starts_with(may_include_words)) {
             says_what = true;
-            law.may_include = quoted(item);
+            law.may_include = quoted_in(item);
         } else if (item.starts_with(never_reaches_words)) {
-            law.never_reaches = quoted(item);
+            law.never_reaches = quoted_in(item);
         } else if (const auto at = item.find(alone_words); at != item.npos) {
             // The reason follows the colon.
             law.exemptions.push_back(
-                {quoted(std::string_view{item}.substr(0, at)),
-                 quoted(std::string_view{item}.substr(at).substr(0, item.find(": ", at) - at))});
+                {quoted_in(std::string_view{item}.substr(0, at)),
+                 quoted_in(std::string_view{item}.substr(at).substr(0, item.find(": ", at) - at))});
         }
     }
     if (!says_what) return std::nullopt;
