@@ -144,6 +144,7 @@ void SteppedClock::call_side_by_side(const std::vector<QueuedAlarm*>& alarms) {
 }
 
 std::size_t SteppedClock::step(sim::Time until) {
+    on_step_();
     if (queue_.empty() || queue_.begin()->first.first > until) {
         now_ = std::max(now_, until);
         return 0;

@@ -41,6 +41,9 @@ class SteppedClock : public Clock {
     using MakeBeside = std::function<void(const std::vector<SlowCall>&)>;
     void on_beside(MakeBeside callback) { make_beside_ = std::move(callback); }
 
+    /// The callback runs before each step: for those who keep something until somebody looks at it.
+    void on_step(std::function<void()> callback) { on_step_ = std::move(callback); }
+
     void hold(const void* who, bool needed) override;
     [[nodiscard]] bool held() const { return !holders_.empty(); }
     /// The callback runs when the last holder lets go.
@@ -72,6 +75,7 @@ class SteppedClock : public Clock {
     sim::Time now_{};
     sim::Time origin_{};
     MakeBeside make_beside_;
+    std::function<void()> on_step_ = [] {};
     std::uint64_t next_order_ = 0;
     bool side_by_side_ = false;  ///< right now
 

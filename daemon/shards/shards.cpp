@@ -28,6 +28,8 @@ class LeavesForHome {
 
 /// Longer than sweeps take.
 constexpr std::chrono::milliseconds in_time{10};
+/// To do so few changes of a world takes less than to have a thread do it.
+constexpr std::size_t few = 8;
 /// Longer than the picture of a camera should take.
 constexpr std::chrono::milliseconds patience{250};
 
@@ -68,7 +70,9 @@ Shards::Shards(const boost::asio::any_io_executor& home, World& world, SteppedCl
     for (std::size_t number = 0; number < count; ++number)
         in_step_.push_back(std::make_unique<InStep>(number, home, clock));
     crew_ = std::make_unique<Crew>(count - 1);
-    world.on_change([this](const World::Change& change, World::Haste) { tell_in_step(change); });
+    world.on_change(
+        [this](const World::Change& change, World::Haste haste) { tell(change, haste); });
+    clock.on_step([this] { flush(); });
     clock.on_beside(
         [this](const std::vector<SteppedClock::SlowCall>& calls) { call_side_by_side(calls); });
 }
@@ -112,6 +116,8 @@ void Shards::call_home(std::function<void()> call) {
 
 void Shards::tell(const World::Change& change, World::Haste haste) {
     if (joined_) return;
+    // Only poses are copied side by side.
+    if (haste == World::Haste::now) flush();
     kept_.push_back(change);
     if (haste == World::Haste::now) {
         still([this] {
@@ -124,13 +130,6 @@ void Shards::tell(const World::Change& change, World::Haste haste) {
             if (!alive.expired()) flush();
         });
     }
-}
-
-void Shards::tell_in_step(const World::Change& change) {
-    for (const auto& there : in_step_)
-        change(there->world);
-    for (std::size_t number = 0; number < in_step_.size(); ++number)
-        changed_(number);
 }
 
 // What they leave for home is done in the order of the calls, whatever the threads do.
@@ -160,6 +159,26 @@ void Shards::flush() {
         std::make_shared<const std::vector<World::Change>>(std::exchange(kept_, {}));
     for (const auto& thread : threads_)
         thread->tell(changes);
+    change_in_step(*changes);
+}
+
+// Of many robots each poses come in bunches, and threads that are awake share the work.
+void Shards::change_in_step(const std::vector<World::Change>& changes) {
+    if (in_step_.empty()) return;
+    std::vector<Crew::Job> jobs;
+    for (const auto& there : in_step_) {
+        jobs.emplace_back([&] {
+            for (const World::Change& change : changes)
+                change(there->world);
+        });
+    }
+    if (changes.size() > few) {
+        crew_->work(jobs);
+    } else {
+        std::ranges::for_each(jobs, [](const auto& job) { job(); });
+    }
+    for (std::size_t number = 0; number < in_step_.size(); ++number)
+        changed_(number);
 }
 
 void Shards::halt() {

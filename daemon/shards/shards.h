@@ -5,7 +5,8 @@
 // and may touch what lives on them while they stand still. With one shard there is no other thread:
 // sensors live on the I/O thread, in the world that is there, and standing still costs nothing. On
 // a stepped clock all shards live on the I/O thread, each beside its copy of the world; only calls
-// that stand alone (Clock::Beside) are made side by side. Lives on the I/O thread.
+// that stand alone (Clock::Beside) are made side by side, and poses that come in bunches are copied
+// so. Lives on the I/O thread.
 #pragma once
 
 #include <algorithm>
@@ -87,7 +88,7 @@ class Shards {
     };
 
     void tell(const World::Change& change, World::Haste haste);
-    void tell_in_step(const World::Change& change);
+    void change_in_step(const std::vector<World::Change>& changes);
     void call_side_by_side(const std::vector<SteppedClock::SlowCall>& calls);
     /// Hands over what is kept to be told at once.
     void flush();

@@ -49,6 +49,16 @@ TEST(SteppedClock, CallsWhatIsSetOnTheWay) {
     EXPECT_EQ(calls, 100);
 }
 
+TEST(SteppedClock, SaysThatItSteps) {
+    SteppedClock clock;
+    std::string order;
+    clock.on_step([&] { order += '.'; });
+    const auto alarm = clock.make_alarm();
+    alarm->set(10ms, [&] { order += 'a'; });
+    clock.advance_to(20ms);
+    EXPECT_EQ(order, ".a.");
+}
+
 TEST(SteppedClock, CallsAnIdleAlarmOnTheWayAndIsNotAwaitedForIt) {
     SteppedClock clock;
     int awaited = 0;

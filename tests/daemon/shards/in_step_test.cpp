@@ -35,19 +35,58 @@ class ShardsInStep : public testing::Test {
         return alarm;
     }
 
+    static Placement at(sim::Time time, double x_m) {
+        return {time, sim::pose_from_rpy({x_m, 0, 0}, {0, 0, 0}), {}, false};
+    }
+
     boost::asio::io_context io_;
     SteppedClock clock_;
     World world_;
     Shards shards_{io_.get_executor(), world_, clock_, 3};
 };
 
-TEST_F(ShardsInStep, KnowAtOnceWhatChanges) {
+TEST_F(ShardsInStep, KnowOfRobotsAtOnce) {
+    world_.set_robots({{"r", {}}});
+    for (std::size_t i = 0; i < shards_.size(); ++i)
+        EXPECT_NE(shards_.at(i).world.robot("r"), nullptr);
+}
+
+// A few poses are copied by one thread, many by all.
+TEST_F(ShardsInStep, KnowOfPosesBeforeTheClockGoesOn) {
+    world_.set_robots({{"r", {}}});
     std::multiset<std::size_t> changed;
     shards_.on_changed([&](std::size_t shard) { changed.insert(shard); });
+    for (const int poses : {1, 200}) {
+        changed.clear();
+        const sim::Time begin = clock_.now();
+        for (int i = 1; i <= poses; ++i)
+            ASSERT_TRUE(world_.place_robot("r", at(begin + i * 1ms, i)));
+        std::multiset<double> seen;
+        const auto look = clock_.make_alarm();
+        look->set(begin, [&] {
+            for (std::size_t i = 0; i < shards_.size(); ++i)
+                seen.insert(shards_.at(i).world.robot("r")->at(1h).translation_m.x);
+        });
+        clock_.advance_to(begin + 1s);
+        EXPECT_THAT(seen, ElementsAre(poses, poses, poses));
+        EXPECT_THAT(changed, ElementsAre(0, 1, 2)) << "once for all poses";
+    }
+}
+
+TEST_F(ShardsInStep, KnowOfPosesWhenTheyAreLookedAt) {
     world_.set_robots({{"r", {}}});
-    changed.clear();
-    ASSERT_TRUE(world_.place_robot("r", {1s, sim::pose_from_rpy({5, 0, 0}, {0, 0, 0}), {}, false}));
-    EXPECT_THAT(changed, ElementsAre(0, 1, 2));
+    ASSERT_TRUE(world_.place_robot("r", at(1s, 5)));
+    shards_.still([&] {
+        for (std::size_t i = 0; i < shards_.size(); ++i)
+            EXPECT_EQ(shards_.at(i).world.robot("r")->at(1h).translation_m.x, 5.0);
+    });
+}
+
+// The clock may be held, and others look meanwhile.
+TEST_F(ShardsInStep, KnowOfPosesSoonEvenIfTheClockStands) {
+    world_.set_robots({{"r", {}}});
+    ASSERT_TRUE(world_.place_robot("r", at(1s, 5)));
+    io_.run();
     for (std::size_t i = 0; i < shards_.size(); ++i)
         EXPECT_EQ(shards_.at(i).world.robot("r")->at(1h).translation_m.x, 5.0);
 }
