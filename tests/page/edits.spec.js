@@ -3,11 +3,13 @@
 //
 // What one adds, deletes and makes of other materials, what a driver of the scanner sees of it, and how it is undone.
 import {readFileSync, writeFileSync} from 'node:fs';
-import {expect, near, open, test, withScan} from './page.js';
+import {WIDE, expect, near, open, test, withScan} from './page.js';
 import {hash, lookFrom} from './eye.js';
 import {scene} from './daemon.js';
 import {Scip} from './scip.js';
 import {AT, EYE, FRONT, ahead, room} from './room.js';
+
+test.use(WIDE);
 
 test('a mesh file that is added is seen by the scanner, and so is its material', async ({page, start}) => {
   const daemon = await start(room('-1,0,0', 'material'));

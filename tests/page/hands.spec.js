@@ -2,9 +2,11 @@
 // Copyright The scipd authors
 //
 // What one moves by hand, and what a driver of the scanner sees of it.
-import {expect, near, open, test, withScan} from './page.js';
+import {WIDE, expect, near, open, test, withScan} from './page.js';
 import {hash, lookFrom} from './eye.js';
 import {AT, EYE, ahead, room} from './room.js';
+
+test.use(WIDE);
 
 async function poseOf(daemon) {
   return daemon.get('/robots/robot/pose');

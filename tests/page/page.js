@@ -8,6 +8,9 @@ import {Daemon, scene} from './daemon.js';
 
 export {expect};
 
+/** For tests that measure pixels, or whose handles and words take more of a smaller window. */
+export const WIDE = {viewport: {width: 1280, height: 720}};
+
 export const test = base.extend({
   /** start(options): a scipd that ends with the test. */
   start: async ({}, use) => {

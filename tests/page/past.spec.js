@@ -2,11 +2,13 @@
 // Copyright The scipd authors
 //
 // Looking back while others go on: what comes and goes meanwhile, and what is there once one is back.
-import {SENSOR, expect, near, open, test, withScan} from './page.js';
+import {SENSOR, WIDE, expect, near, open, test, withScan} from './page.js';
 import {AT, EYE, room} from './room.js';
 import {hash, lookFrom} from './eye.js';
 import {readPng} from './png.js';
 import {scene} from './daemon.js';
+
+test.use(WIDE);
 
 const SECOND = {name: 'second/scanner', model: 'UST-10LX', tcp: '127.0.0.1:0', pose: {xyz: [1.5, 1.2, 0]}};
 

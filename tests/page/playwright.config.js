@@ -16,7 +16,8 @@ export default defineConfig({
   reporter: 'list',
   outputDir: process.env.PAGE_TEST_OUTPUT || 'results',
   use: {
-    viewport: {width: 1280, height: 720},
+    // Each pixel costs, and most tests look at none. Narrower than this the page is that of a phone.
+    viewport: {width: 960, height: 540},
     colorScheme: 'light',
     actionTimeout: 60_000,
     launchOptions: {

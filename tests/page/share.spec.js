@@ -3,10 +3,12 @@
 //
 // What one takes along from the page: a picture, a recording, a link.
 import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
-import {SENSOR, expect, open, test, withScan} from './page.js';
+import {SENSOR, WIDE, expect, open, test, withScan} from './page.js';
 import {hash} from './eye.js';
 import {readPng} from './png.js';
 import {scene} from './daemon.js';
+
+test.use(WIDE);
 
 const ROOM = ['--scene', scene('square_room.sdf'), '--accuracy', 'ideal'];
 
