@@ -71,6 +71,12 @@ macro(scipd_compile_quickly)
   add_compile_options("$<$<CONFIG:Release>:-Og;-Wno-maybe-uninitialized>")
 endmacro()
 
+find_program(lld ld.lld)
+if(SCIPD_QUICK_BUILD AND lld)
+  # It links in a quarter of the time.
+  add_link_options(-fuse-ld=lld)
+endif()
+
 # scipd_quick_build(): what follows in this folder computes no scans, so a quick build need not optimize it.
 macro(scipd_quick_build)
   if(SCIPD_QUICK_BUILD)
