@@ -98,10 +98,10 @@ void Shards::still_on(std::size_t number, const std::function<void()>& act) {
         const sim::MustBeQuick must_be_quick;
         act();
     };
+    flush();
     if (threads_.empty() || joined_) return errand();
     ShardThread& thread = *threads_[number];
     if (halts_ > 0) return thread.catch_up(errand);
-    flush();
     thread.halt();
     wait_for(thread);
     thread.catch_up(errand);
@@ -182,8 +182,8 @@ void Shards::change_in_step(const std::vector<World::Change>& changes) {
 }
 
 void Shards::halt() {
-    if (halts_++ > 0 || joined_) return;
     flush();
+    if (halts_++ > 0 || joined_) return;
     for (const auto& thread : threads_)
         thread->halt();
     go_on_beside_the_late(threads_);

@@ -57,7 +57,8 @@ class Shards {
     }
 
     /// Calls `act` on the thread of this shard, between two of its handlers, and waits for it; the
-    /// others go on. For what casts: a backend that draws is bound to the thread where it is used.
+    /// others go on. It sees all changes that were made before, within still() as well. For what
+    /// casts: a backend that draws is bound to the thread where it is used.
     void still_on(std::size_t number, const std::function<void()>& act);
 
     /// Calls it on the I/O thread; any thread may ask. From there it is called at once.

@@ -82,6 +82,22 @@ TEST_F(ShardsInStep, KnowOfPosesWhenTheyAreLookedAt) {
     });
 }
 
+// A fault that stops a robot asks where it is, in the moment in which its trajectory begins.
+TEST_F(ShardsInStep, KnowOfPosesThatComeInAMomentOfStillness) {
+    world_.set_robots({{"r", {}}});
+    const auto seen_m = [&](std::size_t shard) {
+        double x_m = 0;
+        shards_.still_on(shard,
+                         [&] { x_m = shards_.at(shard).world.robot("r")->at(1h).translation_m.x; });
+        return x_m;
+    };
+    shards_.still([&] {
+        ASSERT_TRUE(world_.place_robot("r", at(1s, 5)));
+        for (std::size_t i = 0; i < shards_.size(); ++i)
+            EXPECT_EQ(seen_m(i), 5.0);
+    });
+}
+
 // The clock may be held, and others look meanwhile.
 TEST_F(ShardsInStep, KnowOfPosesSoonEvenIfTheClockStands) {
     world_.set_robots({{"r", {}}});

@@ -326,6 +326,23 @@ TEST_P(ShardsTest, DoOnTheirThreadWhatIsAskedForWhileAllStandStill) {
     }
 }
 
+TEST_P(ShardsTest, SeeOnTheirThreadWhatHasChangedMeanwhile) {
+    world_.set_robots({{"r", {}}});
+    double x_m = 0;
+    const auto expect_seen = [&] {
+        ++x_m;
+        const sim::Pose there = sim::pose_from_rpy({x_m, 0, 0}, {0, 0, 0});
+        ASSERT_TRUE(world_.place_robot(
+            "r", {std::chrono::seconds(static_cast<int>(x_m)), there, {}, false}));
+        for (std::size_t i = 0; i < shards_.size(); ++i) {
+            shards_.still_on(
+                i, [&] { EXPECT_EQ(shards_.at(i).world.robot("r")->at(1h).translation_m.x, x_m); });
+        }
+    };
+    expect_seen();
+    shards_.still(expect_seen);
+}
+
 TEST_P(ShardsTest, HoldUpNoOtherForWhatIsAskedForOnOneThread) {
     if (GetParam() == 1) GTEST_SKIP();
     const auto turns = std::make_shared<Turns>();
