@@ -2,7 +2,7 @@
 # Copyright The scipd authors
 #
 # In lockstep, scanners whose scans end at one stamp are cast side by side, and send the same bytes for every number of
-# threads: while they and people move, with materials and with skips.
+# threads: while they and people move, with materials and with skips, and where a fault stops one from the beginning.
 # lockstep_threads_test.py SCIPD SCENES
 import json
 import math
@@ -21,6 +21,7 @@ POSES_PER_S = 50
 MODELS = [("UST-10LX", "00001080", 0, 40), ("UTM-30LX", "00001080", 0, 40), ("URG-04LX-UG01", "00440725", 0, 10),
           ("UST-20LX", "00001080", 2, 13)]
 ROBOTS = 12
+STOPPED = 1  # it has a trajectory of its own, and its scanner sees from where that begins
 
 
 def scanner(i):
@@ -33,10 +34,10 @@ def name(i):
 
 
 def poses():
-    """Each robot drives in a circle of its own."""
+    """Each other robot drives in a circle of its own."""
     lines = []
     for k in range(POSES_PER_S * SECONDS + 1):
-        for i in range(ROBOTS):
+        for i in set(range(ROBOTS)) - {STOPPED}:
             angle = k / POSES_PER_S + i
             xyz = [0.3 * math.cos(angle) + 0.1 * i - 0.6, 0.3 * math.sin(angle), 0]
             lines.append(json.dumps({"robot": name(i), "t": k / POSES_PER_S, "xyz": xyz,
@@ -47,9 +48,13 @@ def poses():
 def configure(folder, scenes):
     robots = {name(i): {"sensors": {"scanner": scanner(i)}} for i in range(ROBOTS)}
     robots[name(0)]["poses"] = "-"
+    (folder / "drive.tum").write_text("".join(f"{t} {0.8 + 0.1 * t} 0 0 0 0 0 1\n" for t in range(SECONDS + 1)))
+    robots[name(STOPPED)]["poses"] = "drive.tum"
+    (folder / "stops.yaml").write_text(json.dumps(
+        {"steps": [{"sensor": f"{name(STOPPED)}/scanner", "kind": "poses", "how": "stop"}]}))
     (folder / "lab.yaml").write_text(json.dumps(
         {"scene": str(scenes / "crossing.sdf"), "clock": "poses", "seed": 11, "control": str(folder / "s"),
-         "robots": robots}))
+         "scenario": "stops.yaml", "robots": robots}))
     return folder / "lab.yaml"
 
 
