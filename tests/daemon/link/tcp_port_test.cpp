@@ -30,7 +30,7 @@ std::ptrdiff_t open_descriptors() {
 class TcpPortTest : public testing::Test {
   protected:
     ~TcpPortTest() override {
-        port_->stop();
+        if (port_) port_->stop();
         io_.restart();
         io_.run_for(10ms);
     }
@@ -309,6 +309,7 @@ TEST_F(TcpPortTest, MovesWithoutLosingWhoeverComesMeanwhile) {
     port_->stop();
     there.restart();
     there.run_for(10ms);
+    port_.reset();  // before the loop that it lives on
 }
 
 TEST_F(TcpPortTest, MovesWithThoseWhoWait) {

@@ -17,6 +17,7 @@
 
 #include "daemon/clock/stepped_clock.h"
 #include "tests/daemon/wall_world.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::daemon {
@@ -393,6 +394,7 @@ std::string heap_of(int triangles) {
 }
 
 TEST_F(AddedFromFiles, AreRefusedWhereTooManyTrianglesLieInOnePlace) {
+    if (tests::sanitized) GTEST_SKIP() << tests::sanitizers_want_memory;
     using Result = EditOutcome::Result;
     folder_.write("worlds/heap.obj", heap_of(10'000));
     folder_.write("worlds/half.obj", heap_of(600));
