@@ -4,6 +4,7 @@
 # Clients of the control API that do not read, or have said all they have to say: careless_clients_test.py SCIPD SCENE
 import base64
 import json
+import os
 import pathlib
 import signal
 import socket
@@ -25,6 +26,8 @@ BOX = ("<model name='m'><link name='l'><collision name='c'><geometry><box><size>
 MESH = base64.b64encode(bytes(80) + struct.pack("<I", 100_000) + b"".join(
     struct.pack("<12fH", 0, 0, 1, 50, i, 0, 51, i, 0, 50, i + 1, 0, 0) for i in range(100_000))).decode()
 FAULTS = "/sensors/robot/front/faults"
+# A sanitizer keeps what is freed. The presets of their tests set one of these.
+SANITIZED = "ASAN_OPTIONS" in os.environ or "TSAN_OPTIONS" in os.environ
 
 
 def resident_mb(process):
@@ -99,7 +102,7 @@ def check_deaf_pages(lab):
     while len(cut) < PAGES and time.monotonic() < end:
         Control(lab.control.path).ask("GET", "/health")
         cut += [page for page in deaf if page not in cut and is_cut(page)]
-        assert resident_mb(lab.process) < before_mb + 100, f"{before_mb} MB before"
+        assert SANITIZED or resident_mb(lab.process) < before_mb + 100, f"{before_mb} MB before"
         time.sleep(0.2)
     assert len(cut) == PAGES, f"only {len(cut)} of the pages that read nothing are cut"
     acts = [(event, size) for event, size in told if event["bytes_n"] > 0]

@@ -27,6 +27,8 @@ import tty
 
 SCIPCAT = sys.argv[1]
 PATIENCE_S = 60
+# A sanitizer keeps what is freed. The presets of their tests set one of these.
+SANITIZED = "ASAN_OPTIONS" in os.environ or "TSAN_OPTIONS" in os.environ
 # What the specifications of SCIP 1.1, 2.0 and 2.2 have, and what no scanner knows.
 REQUESTS = [
     b"\n", b"\r\n", b"SCIP2.0\n", b"V\n", b"L1\n", b"G00076801\n", b"S019200abcdefg\n", b"VV\n", b"PP;name\n", b"II\r",
@@ -380,7 +382,7 @@ def needs_no_more_memory_with_time():
             driver.read_bytes(len(minute))
             said.join()
             sizes.append(proxy.memory_kib())
-        assert max(sizes[5:]) - sizes[4] < 2048, sizes
+        assert SANITIZED or max(sizes[5:]) - sizes[4] < 2048, sizes
 
         def say_too_much():
             with contextlib.suppress(OSError):
@@ -390,7 +392,7 @@ def needs_no_more_memory_with_time():
         said.start()
         time.sleep(1)
         assert said.is_alive(), "somebody took 60 MB that nobody reads"
-        assert proxy.memory_kib() - sizes[-1] < 4096, (sizes, proxy.memory_kib())
+        assert SANITIZED or proxy.memory_kib() - sizes[-1] < 4096, (sizes, proxy.memory_kib())
         driver.close()
     scanner.close()
 
