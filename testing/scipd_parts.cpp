@@ -118,8 +118,9 @@ Pose Scene::pose(const std::string& name) const {
 }
 
 std::vector<std::string> Scene::models() const {
+    const Json scene = inside_.running.get("/scene");
     std::vector<std::string> names;
-    for (const Json& model : inside_.running.get("/scene").at("models"))
+    for (const Json& model : scene.at("models"))
         names.push_back(model.at("name"));
     return names;
 }
