@@ -3,7 +3,6 @@
 #include "tools/scipcat/proxy/heard_queue.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace scipd::tools {
 
@@ -35,19 +34,22 @@ std::optional<Heard> HeardQueue::pop() {
     return heard;
 }
 
-// What does not fit before the end of the ring goes on at its beginning.
+// What does not fit before the end of the ring goes on at its beginning. Bytes may be none, from
+// nowhere, which memcpy() must not get.
 void HeardQueue::put(std::size_t at, const void* from, std::size_t count) {
+    const auto* bytes = static_cast<const char*>(from);
     const std::size_t place = at % capacity;
     const std::size_t first = std::min(count, capacity - place);
-    std::memcpy(ring_.get() + place, from, first);
-    std::memcpy(ring_.get(), static_cast<const char*>(from) + first, count - first);
+    std::copy_n(bytes, first, ring_.get() + place);
+    std::copy_n(bytes + first, count - first, ring_.get());
 }
 
 void HeardQueue::get(std::size_t at, void* to, std::size_t count) const {
+    auto* bytes = static_cast<char*>(to);
     const std::size_t place = at % capacity;
     const std::size_t first = std::min(count, capacity - place);
-    std::memcpy(to, ring_.get() + place, first);
-    std::memcpy(static_cast<char*>(to) + first, ring_.get(), count - first);
+    std::copy_n(ring_.get() + place, first, bytes);
+    std::copy_n(ring_.get(), count - first, bytes + first);
 }
 
 }  // namespace scipd::tools
