@@ -28,10 +28,10 @@ class LeavesForHome {
 
 /// Longer than sweeps take.
 constexpr std::chrono::milliseconds in_time{10};
-/// To do so few changes of a world takes less than to have a thread do it.
-constexpr std::size_t few = 8;
 /// Longer than the picture of a camera should take.
 constexpr std::chrono::milliseconds patience{250};
+/// To do so few changes of a world takes less than to have a thread do it.
+constexpr std::size_t few = 8;
 
 /// Where some threads do not stand still in time, the others go on until these do: scans do not
 /// wait for a picture on another thread. Once only, since the others may draw pictures as well.
@@ -116,20 +116,20 @@ void Shards::call_home(std::function<void()> call) {
 
 void Shards::tell(const World::Change& change, World::Haste haste) {
     if (joined_) return;
-    // Only poses are copied side by side.
-    if (haste == World::Haste::now) flush();
-    kept_.push_back(change);
     if (haste == World::Haste::now) {
-        still([this] {
+        // Poses are done by then. It is done alone: only they are copied side by side.
+        return still([&] {
+            kept_.push_back(change);
             flush();
             for (const auto& thread : threads_)
                 thread->catch_up();
         });
-    } else if (kept_.size() == 1) {
-        boost::asio::post(home_, [this, alive = std::weak_ptr(alive_)] {
-            if (!alive.expired()) flush();
-        });
     }
+    kept_.push_back(change);
+    if (kept_.size() > 1) return;
+    boost::asio::post(home_, [this, alive = std::weak_ptr(alive_)] {
+        if (!alive.expired()) flush();
+    });
 }
 
 // What they leave for home is done in the order of the calls, whatever the threads do.
