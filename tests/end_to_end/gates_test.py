@@ -232,6 +232,21 @@ def try_files(scipd, files):
                 assert "`allow`" in answer.refused(403, next(reversed(body))), answer.body
 
 
+HEIGHTS = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n0 1\n0 1\n"
+TERRAIN = """<sdf version="1.9"><model name="m"><link name="l"><visual name="v"><geometry>
+<heightmap><uri>a.asc</uri><size>9 9 1</size></heightmap></geometry></visual></link></model></sdf>"""
+
+
+def check_an_elevation_model(program, scene, folder):
+    """What reads it lies in no folder that `allow` names."""
+    (folder / "a.asc").write_text(HEIGHTS)
+    (folder / "terrain.sdf").write_text(TERRAIN)
+    with Scipd(program, folder, *configured(folder, scene, "seed: 1")) as scipd:
+        answer = scipd.unix("PUT", "/scene", json.dumps({"file": str(folder / "terrain.sdf")}))
+        if b"built without GDAL" not in answer.body:
+            assert json.loads(answer.body) == {"warnings": []}, answer.body
+
+
 def check_the_files(program, scene, folder):
     """All are rubbish: a 400 tells that scipd has read them."""
     home, other, away = folder / "home", folder / "other", folder / "away"
@@ -257,7 +272,8 @@ def check_the_files(program, scene, folder):
 
 def main():
     program, scene = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:])
-    for check in (check_the_web, check_the_token, check_the_group, check_the_files):
+    for check in (check_the_web, check_the_token, check_the_group, check_an_elevation_model,
+                  check_the_files):
         with tempfile.TemporaryDirectory() as folder:
             check(program, scene, pathlib.Path(folder))
             print(check.__name__, "holds")

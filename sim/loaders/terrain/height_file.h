@@ -2,8 +2,7 @@
 // Copyright The scipd authors
 //
 // Reads the heights of a terrain from a picture or from a digital elevation model. Elevation models
-// need GDAL (dem.cpp); a build without GDAL has no_dem.cpp instead, which refuses them. Any thread;
-// nothing shared.
+// need GDAL, and a build without it refuses them. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
