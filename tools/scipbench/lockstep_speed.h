@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // How many times as fast as the wall's clock a scipd of our own goes in lockstep, with one thread
-// and with more. One thread.
+// and with more. What it reads is read on a thread of its own.
 #pragma once
 
 #include <chrono>
