@@ -72,7 +72,7 @@ LoadReport load_scanners(const std::vector<std::string>& targets, std::chrono::s
     const Clock::time_point begin = Clock::now();
     for (const auto& reader : readers)
         reader->start();
-    read_streams(io, targets.size());
+    read_streams(io, rest_for(targets.size()));
     LoadReport report{.seconds = std::chrono::duration<double>(Clock::now() - begin).count()};
     for (const auto& reader : readers)
         report.streams.push_back(report_of(*reader));

@@ -49,7 +49,8 @@ Seconds read_all(boost::asio::io_context& io, Readers& readers, Seconds of_world
             if (done && --lacking == 0) io.stop();
         });
     }
-    read_streams(io, readers.size());
+    constexpr std::chrono::milliseconds rest{6};  // here nobody asks when a scan came
+    read_streams(io, rest);
     return Clock::now() - begin;
 }
 

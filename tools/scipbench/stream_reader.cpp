@@ -52,9 +52,12 @@ void StreamReader::read() {
 // Whoever wakes up for each of thousands of scans a second takes a core away from what sends them
 // each time: with 350 scanners on two cores a scan then costs an eighth more in all. Scans of few
 // scanners are read at once, so that their delays are exact.
-void read_streams(asio::io_context& io, std::size_t readers) {
+std::chrono::milliseconds rest_for(std::size_t readers) {
     constexpr std::size_t few = 32;
-    const std::chrono::milliseconds rest(readers > few ? 1 : 0);
+    return std::chrono::milliseconds(readers > few ? 1 : 0);
+}
+
+void read_streams(asio::io_context& io, std::chrono::milliseconds rest) {
     while (io.run_one() > 0) {
         io.poll();
         std::this_thread::sleep_for(rest);

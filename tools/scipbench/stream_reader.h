@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -48,7 +49,9 @@ class StreamReader {
     std::array<char, 64 * 1024> buffer_;
 };
 
-/// Runs the loop of so many readers until it is stopped.
-void read_streams(boost::asio::io_context& io, std::size_t readers);
+/// How long so many readers should rest between two looks at what has come.
+[[nodiscard]] std::chrono::milliseconds rest_for(std::size_t readers);
+/// Runs the loop of some readers until it is stopped.
+void read_streams(boost::asio::io_context& io, std::chrono::milliseconds rest);
 
 }  // namespace scipd::tools
