@@ -49,8 +49,8 @@ Seconds read_all(boost::asio::io_context& io, Readers& readers, Seconds of_world
             if (done && --lacking == 0) io.stop();
         });
     }
-    constexpr std::chrono::milliseconds rest{6};  // here nobody asks when a scan came
-    read_streams(io, rest);
+    constexpr int longer = 6;  // nobody asks here when a scan came
+    read_streams(io, longer * rest_for(readers.size()));
     return Clock::now() - begin;
 }
 
