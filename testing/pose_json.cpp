@@ -12,7 +12,7 @@ namespace {
 
 using Quaternion = std::array<double, 4>;
 
-/// Of the rotation by roll about x, then by pitch about y, then by yaw about z.
+/// A rotation by roll about x, then by pitch about y, then by yaw about z.
 Quaternion quaternion_of(const Pose& pose) {
     const double cr = std::cos(pose.roll_rad / 2), sr = std::sin(pose.roll_rad / 2);
     const double cp = std::cos(pose.pitch_rad / 2), sp = std::sin(pose.pitch_rad / 2);

@@ -47,7 +47,7 @@ class ScanFile {
 /// All scans from now on. But for what it hears, it is of one thread.
 class ScanRecorder {
   public:
-    /// Of this scanner; empty: of all.
+    /// Records this scanner, or all if `sensor` is empty.
     ScanRecorder(const std::string& control, const std::filesystem::path& path,
                  const std::string& sensor);
 

@@ -24,8 +24,8 @@ class Running {
     [[nodiscard]] std::string control() const { return ready_.at("control"); }
     /// In the order of the configuration.
     [[nodiscard]] std::vector<std::string> robots() const;
-    /// Of the ready line: by ROBOT/SENSOR, by SENSOR where that says enough, without a name the
-    /// only scanner, or the first one. Throws std::invalid_argument.
+    /// What the ready line says of a sensor: by ROBOT/SENSOR, by SENSOR where that says enough,
+    /// without a name the only scanner, or the first one. Throws std::invalid_argument.
     [[nodiscard]] const Json& sensor(const std::string& name) const;
 
     /// The answer; null if it is empty, a string if it is no JSON. Throws Refused and ScipdEnded.

@@ -36,7 +36,7 @@ struct Pose {
 struct Seen {
     double range_m = 0;
     double angle_rad = 0;  ///< 0 is ahead, counter-clockwise is positive
-    // Of the truth only.
+    // Only the truth has these.
     std::string object;  ///< MODEL::LINK::VISUAL
     std::string material;
 };

@@ -186,7 +186,7 @@ Truth SensorView::next_truth(milliseconds timeout) {
 
 Truth SensorView::truth_of(const Scan& scan) {
     Json raw = running_.get(path_ + "/truth");
-    // Of turns that nobody wanted there is none.
+    // There is none of turns that nobody wanted.
     const int latest = raw.at("scan");
     for (int number = latest - 1; raw.at("stamp_ms") != scan.stamp_ms; --number) {
         if (number < 0 || number < latest - most_turns_kept)

@@ -19,7 +19,7 @@ class TestClock {
   public:
     using Seconds = std::chrono::duration<double>;
 
-    /// Of all threads that hear scipd: in lockstep, time waits until they have caught up.
+    /// Waits for all threads that hear scipd: in lockstep, time waits until they have caught up.
     using CatchUp = std::function<void()>;
 
     TestClock(Running& running, const Options& options, CatchUp catch_up);

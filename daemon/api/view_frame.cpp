@@ -87,7 +87,7 @@ class Palette {
   public:
     explicit Palette(const sim::Scene& scene) : scene_(scene) {}
 
-    /// Of what has an object and a material. -1: of nothing, and of something in the air.
+    /// The number of the material of an object; -1 for nothing, and for something in the air.
     std::int16_t of(const auto& thing) {
         if (thing.object == sim::no_object) return -1;
         const auto [known, is_new] =

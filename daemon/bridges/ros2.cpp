@@ -40,7 +40,7 @@ constexpr int most_kept = 1000;
 // Whoever publishes is known a second or two after the start.
 constexpr auto time_to_be_found = 3s;
 
-/// Of one machine, as ROS_LOCALHOST_ONLY of ROS 2 has it, which needs no multicast.
+/// Keeps to this machine, as ROS_LOCALHOST_ONLY of ROS 2 does; that needs no multicast.
 constexpr const char* localhost_only = R"(<CycloneDDS><Domain>
 <General><Interfaces><NetworkInterface address="127.0.0.1"/></Interfaces>
 <AllowMulticast>false</AllowMulticast></General>

@@ -61,7 +61,7 @@ class ScanReader {
     /// What comes earlier, behind the next scan, may be left out.
     void skip_ahead(sim::Time since_first) { skip_ = since_first; }
 
-    /// Of the stream that was read.
+    /// Which scanner the stream that was read came from.
     [[nodiscard]] const sim::ScannerIdentity& identity() const {
         return recording_->streams()[stream_.value()].identity;
     }

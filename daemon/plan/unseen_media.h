@@ -22,7 +22,7 @@ inline constexpr std::string_view unseen_media =
 std::vector<std::string> media_notices(const Config& config);
 
 /// That sentence about materials, if the configuration or the world has any that no scanner sees.
-/// Of the names in a world those count that the library knows and that are no script of Gazebo.
+/// A name in a world counts if the library knows it and if it is no script of Gazebo.
 std::vector<std::string> material_notices(const Config& config, const sim::Scene& scene,
                                           const sim::MaterialLibrary& library);
 

@@ -25,8 +25,8 @@ std::vector<sim::RecordedScan> WireDecoder::take(const sim::RecordedBytes& bytes
 
 void WireDecoder::take_message(const Message& message, sim::HostTime time,
                                std::vector<sim::RecordedScan>& scans) {
-    // Of two characters and a sum. That of SCIP 1.1 has one alone, as other texts have, too: there
-    // a scan tells.
+    // A status of SCIP 2 has two characters and a sum. That of SCIP 1.1 has one alone, as other
+    // texts have, too: there a scan tells.
     if (!message.damage && message.status.size() == 2) ++sound_messages_;
     if (learn_identity(message, identity_)) return;
     if (const auto scan = protocol::client::parse_scip1_scan(message)) {

@@ -27,7 +27,7 @@ struct TapedScan {
 
 class Tape {
   public:
-    /// Of scans of so many steps. Throws std::runtime_error where no file can be made.
+    /// For scans of so many steps. Throws std::runtime_error where no file can be made.
     Tape(std::size_t steps, bool has_echoes);
 
     /// Throws std::runtime_error where the disk is full.

@@ -162,7 +162,7 @@ void Shards::flush() {
     change_in_step(*changes);
 }
 
-// Of many robots each poses come in bunches, and threads that are awake share the work.
+// Where there are many robots, poses come in bunches, and threads that are awake share the work.
 void Shards::change_in_step(const std::vector<World::Change>& changes) {
     if (in_step_.empty()) return;
     std::vector<Crew::Job> jobs;

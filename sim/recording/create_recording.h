@@ -31,7 +31,7 @@ struct Recorder {
 [[nodiscard]] std::unique_ptr<RecordingWriter> create_recording(const std::filesystem::path& path,
                                                                 const ScannerIdentity& identity,
                                                                 const Recorder& recorder);
-/// The same where the file's name says nothing.
+/// Makes a recording as if the file's name had this ending.
 [[nodiscard]] std::unique_ptr<RecordingWriter> create_recording(const std::filesystem::path& path,
                                                                 std::string_view ending,
                                                                 const ScannerIdentity& identity,

@@ -66,8 +66,8 @@ class Reader {
         else
             reading.range_m = last_errors_.told_m(biased_m(reading.range_m) + noise_m);
     }
-    /// The same for beams from 0 on. In short runs, of whose beams the compiler takes several at
-    /// once: one after the other took 3 % of a revolution longer.
+    /// Adds the errors of all beams from 0 on, in short runs, of whose beams the compiler takes
+    /// several at once: one after the other took 3 % of a revolution longer.
     void add_errors(std::span<Reading> readings, std::span<const float> noise_m) {
         constexpr std::size_t run = 64;
         const LastErrors last_errors = last_errors_;

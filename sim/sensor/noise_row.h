@@ -44,7 +44,7 @@ class NoiseRow {
 
     /// The noise of a beam that has a return.
     [[nodiscard]] float noise_m(std::size_t beam) const { return noise_m_[beam]; }
-    /// Of all beams; without a return it is some number.
+    /// The noise of each beam; it is some number where the beam has no return.
     [[nodiscard]] std::span<const float> noise_m() const { return noise_m_; }
 
   private:

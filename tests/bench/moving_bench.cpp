@@ -53,7 +53,7 @@ Moves moves_of(std::size_t models) {
     return moves;
 }
 
-/// The same boxes as bare instances in a scene of their own.
+/// The boxes as bare instances in a scene of their own.
 class BareInstances {
   public:
     explicit BareInstances(std::size_t models) {

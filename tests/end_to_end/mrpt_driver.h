@@ -55,7 +55,7 @@ class MrptDriver {
     MrptDriver(const DaemonProcess& daemon, Link link, std::size_t sensor = 0,
                bool intensity = false);
 
-    /// Of a scanner at this place: a port of 127.0.0.1, or a tty.
+    /// Drives the scanner at this place: a port of 127.0.0.1, or a tty.
     explicit MrptDriver(std::uint16_t port);
     explicit MrptDriver(const std::filesystem::path& tty);
 

@@ -18,7 +18,7 @@ struct Planar {
 /// From a point in the room, `bearing_rad` counter-clockwise from its x axis.
 double range_in_square_room(const Planar& from, double bearing_rad);
 
-/// The same, but nothing if the beam grazes a surface or an edge, because then its range is not
+/// The range, or nothing if the beam grazes a surface or an edge, because then its range is not
 /// known to the millimetre.
 std::optional<double> certain_range_in_square_room(const Planar& from, double bearing_rad);
 

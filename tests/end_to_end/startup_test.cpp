@@ -100,7 +100,7 @@ robots:
     EXPECT_EQ(ScannerWire::tcp(first.port()).ask("VV"), "00");
 }
 
-// Of 192.0.2.0/24, which no machine has (RFC 5737).
+// The address is of 192.0.2.0/24, which no machine has (RFC 5737).
 TEST_F(Startup, MayDoBetterLaterWhereItLacksAnAddress) {
     const std::string lacks = ": this machine has no such address now; ";
     EXPECT_THAT(refusal(in_square_room({"--tcp", "192.0.2.1:10940", "--pty", "none"}), 1),

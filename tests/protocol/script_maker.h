@@ -46,8 +46,8 @@ class Choices {
 /// What a client of this model may say: a request, most often whole and right, or anything.
 [[nodiscard]] std::string make_saying(Choices& choices, const DeviceProfile& profile);
 
-/// The same with every saying cut into pieces that come one after the other, some of them earlier,
-/// and every wait cut into several.
+/// The script with every saying cut into pieces that come one after the other, some of them
+/// earlier, and with every wait cut into several.
 [[nodiscard]] Script in_fragments(const Script& script, Choices& choices);
 
 }  // namespace scipd::protocol

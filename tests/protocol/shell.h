@@ -47,7 +47,7 @@ class Shell {
     std::vector<Sent> take_sent(int client = 0);
     /// What it was asked to do besides sending since the last call.
     std::vector<Action> take_other_actions(int client = 0);
-    /// The same as take_sent() as one string.
+    /// What take_sent() takes, as one string.
     std::string take_text(int client = 0);
 
     /// What the scanner sees at a step.

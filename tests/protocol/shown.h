@@ -16,7 +16,7 @@ namespace scipd::protocol {
 /// Between double quotes, as a string literal of C++ would have them.
 std::string shown(std::string_view bytes);
 std::string milliseconds(Uptime time);
-/// Of letters, digits and underscores, as GoogleTest wants it.
+/// A name of letters, digits and underscores, as GoogleTest wants it.
 std::string test_name(const DeviceProfile& profile);
 
 }  // namespace scipd::protocol

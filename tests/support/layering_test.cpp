@@ -82,7 +82,7 @@ SourceTree sound() {
             {"daemon/device/device.h", "#include \"sim/time.h\"\n"}};
 }
 
-/// The same tree with this file added or replaced.
+/// The sound tree with this file added or replaced.
 SourceTree with(const std::string& path, const std::string& text) {
     SourceTree tree = sound();
     tree[path] = text;

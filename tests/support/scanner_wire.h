@@ -20,7 +20,7 @@
 
 namespace scipd::tests {
 
-/// Of an address such as 127.0.0.1:10940.
+/// The port in an address such as 127.0.0.1:10940.
 [[nodiscard]] std::uint16_t port_of(const std::string& address);
 
 class ScannerWire : public protocol::client::Transport {

@@ -19,7 +19,7 @@ namespace scipd::tools {
 inline constexpr std::size_t most_lag = 4;
 inline constexpr std::size_t beams_of_block = 20;
 
-/// Of one station, for each chunk of its scans and each beam.
+/// The sums of one station, for each chunk of its scans and each beam.
 struct StationSums {
     std::size_t chunks = 0;
     std::size_t beams = 0;

@@ -21,7 +21,7 @@ struct Calibration {
     bool by_world = false;  ///< else by several stations of one room
     std::vector<BiasAt> curve;
     bool but_for_slope = false;  ///< the curve may have any slope, since the room may have any size
-    /// Of the straight line that the curve is, where it is one and where that is known.
+    /// Which straight line the curve is, if it is one and that is known.
     std::optional<Interval> offset_mm;       ///< at the range 0
     std::optional<Interval> scale_mm_per_m;  ///< its slope
     /// Where the scanner stood, by station, as far as that is known; in a world.
@@ -34,7 +34,7 @@ struct Calibration {
     Unknowns unknown;
 };
 
-/// Of a room that nobody has measured.
+/// What a fit needs to tell the offset in a room that nobody has measured.
 inline constexpr const char* what_tells_the_offset =
     "three stations or more in one room, a metre apart, each turned by less than 90 degrees";
 

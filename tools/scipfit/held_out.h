@@ -12,8 +12,8 @@
 
 namespace scipd::tools {
 
-/// Of what was not fitted: the other half of the time, at the other blocks of beams, each around
-/// its own mean. Natural logarithms of densities per mm.
+/// How well the fit tells what was not fitted: the other half of the time, at the other blocks of
+/// beams, each around its own mean. Natural logarithms of densities per mm.
 struct HeldOut {
     double coverage_95 = 0.0;
     double nll = 0.0;

@@ -23,7 +23,7 @@ class KnownWorld {
     /// What the beams that see something still meet first, if stations stand there.
     [[nodiscard]] Sights look(const Standing& standing, const std::vector<FlatPose>& places);
 
-    /// Of a surface: that of the object.
+    /// A surface is called as its object is.
     [[nodiscard]] const std::string& name_of(std::size_t surface) const;
     /// How bright a surface is beside a white one, both met head-on, as the world says.
     [[nodiscard]] double brightness_of(std::size_t surface, int wavelength_nm) const;

@@ -35,9 +35,9 @@ struct NoiseModel {
     bool median_of_five = false;
     double rounding_mm2 = 0.0;
 
-    /// Of a wall that is met head-on.
+    /// The noise at a wall that is met head-on.
     [[nodiscard]] double sigma_mm(double range_mm, double intensity) const;
-    /// Of what the scanner says of this wall, rounding and slope and all.
+    /// The noise of what the scanner says of this wall, rounding and slope and all.
     [[nodiscard]] double told_mm(const LawSample& sample) const;
 };
 

@@ -15,8 +15,8 @@ namespace {
 
 using sim::RecordedScan;
 
-/// Of several echoes the one that a scanner with single echoes tells: the brightest, or the first
-/// where they have no intensities.
+/// Which of several echoes a scanner with single echoes tells: the brightest, or the first where
+/// they have no intensities.
 std::size_t told_echo(std::span<const double> intensities) {
     if (intensities.empty()) return 0;
     return static_cast<std::size_t>(std::ranges::max_element(intensities) - intensities.begin());

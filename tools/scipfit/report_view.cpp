@@ -27,7 +27,7 @@ double nineteen_of_twenty(std::vector<double>& values) {
     return values[at];
 }
 
-/// Of some scans of one beam.
+/// Moments of some scans of one beam.
 struct Moments {
     double count = 0.0, sum = 0.0, squares = 0.0;
 

@@ -21,8 +21,8 @@ struct Room {
     std::optional<RoomLight> light;  ///< where the recording has intensities
 };
 
-/// Of the station that comes first. Throws WrongInput where the scanner moves all the time, and
-/// where no wall is in sight.
+/// The room around the station that comes first. Throws WrongInput where the scanner moves all the
+/// time, and where no wall is in sight.
 [[nodiscard]] Room room_of(const Standing& standing);
 
 }  // namespace scipd::tools

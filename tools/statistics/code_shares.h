@@ -12,7 +12,7 @@
 
 namespace scipd::tools {
 
-/// Of all readings of some beams, the share that is this code. Distances are not listed.
+/// The share of each code among all readings of some beams. Distances are not listed.
 using CodeShares = std::map<Code, double>;
 
 [[nodiscard]] CodeShares code_shares(const ScanSeries& series, std::span<const std::size_t> beams,

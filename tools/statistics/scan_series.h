@@ -70,7 +70,7 @@ class ScanSeries {
     [[nodiscard]] Code code(std::size_t scan, std::size_t beam) const {
         return codes_[scan * beams_ + beam];
     }
-    /// Of a reading that is a distance; NaN elsewhere.
+    /// How bright a reading is that is a distance; NaN for others.
     [[nodiscard]] double intensity(std::size_t scan, std::size_t beam) const {
         return intensities_[scan * beams_ + beam];
     }

@@ -24,8 +24,8 @@ struct SharedNoise {
     [[nodiscard]] double correlation() const;
 };
 
-/// Of all pairs of beams that are `apart` steps from each other, both of which are steady and
-/// look at no edge. `beams` are the means about which they deviate.
+/// What pairs of beams share that are `apart` steps from each other. Both must be steady and look
+/// at no edge. `beams` are the means about which they deviate.
 [[nodiscard]] SharedNoise shared_noise(const ScanSeries& series,
                                        std::span<const BeamStatistics> beams,
                                        const std::vector<bool>& beside_edges, ScanSpan scans,

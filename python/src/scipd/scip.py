@@ -11,7 +11,7 @@ from .errors import NoScan
 _DISTANCE_CHARACTERS = 3
 _STAMP_CHARACTERS = 4
 
-# Of any model: what is less is a code, and a UST sends 65533 where nothing comes back. PP of a model says more.
+# For any model: what is less is a code, and a UST sends 65533 where nothing comes back. PP of a model says more.
 NEAREST_MM = 20
 NOTHING_MM = 65533
 

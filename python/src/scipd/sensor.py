@@ -121,7 +121,7 @@ class Sensor:
             status = status_of(line.ask(request, timeout_s, meanwhile))
         if status != "00":
             raise NoScan(f"the scanner has answered {request} with {status}")
-        # Of a counted stream the echo has the scans that remain.
+        # The echo of a counted stream has the scans that remain.
         message = line.message(request[:-2], timeout_s, meanwhile)
         if status_of(message) != "99":
             raise NoScan(f"in the place of a scan came {status_of(message)}")
@@ -172,7 +172,7 @@ class Sensor:
         latest = self._truth()
         if latest.raw.get("stamp_ms") == scan.stamp_ms:
             return latest
-        # Of turns that nobody wanted there is none.
+        # There is none of turns that nobody wanted.
         for number in range(latest.scan - 1, latest.scan - _MOST_TURNS_KEPT, -1):
             try:
                 truth = self._truth(number)

@@ -24,7 +24,7 @@ class InputFile {
 
     /// Fit for messages.
     [[nodiscard]] const std::string& name() const { return name_; }
-    /// Of a file on a disk; empty in memory.
+    /// Where the file is on a disk; empty for one in memory.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::uint64_t size() const { return size_; }
 

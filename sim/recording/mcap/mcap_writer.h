@@ -4,7 +4,7 @@
 // Writes an MCAP file: messages in packed chunks, each chunk on the disk before the next begins, so
 // that a process that is killed leaves a file whose chunks can be read. finish() adds the index, by
 // which others seek. It knows no clock: a chunk ends when its messages span a second, or fill it.
-// Of one owner; any thread.
+// It has one owner, on any thread.
 #pragma once
 
 #include <chrono>
@@ -49,7 +49,7 @@ class Writer {
     void finish();
 
   private:
-    /// Of a message in a chunk.
+    /// Where a message lies in a chunk.
     struct Place {
         std::uint64_t log_ns;
         std::uint64_t offset;

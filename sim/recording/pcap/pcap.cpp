@@ -18,7 +18,7 @@
 namespace scipd::sim {
 namespace {
 
-/// Of the scanners with Ethernet.
+/// Scanners with Ethernet listen there.
 constexpr std::uint16_t scanner_port = 10940;
 
 struct ClosePcap {

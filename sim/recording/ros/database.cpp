@@ -10,7 +10,7 @@
 namespace scipd::sim {
 namespace {
 
-/// Of the library's virtual machine, for one row: a plain one takes ten.
+/// So many steps of the library's virtual machine may one row take; a plain one takes ten.
 constexpr int most_operations = 10'000'000;
 
 int open_file(const InputFile& file, sqlite3** database) {

@@ -18,7 +18,8 @@ enum class RosEncoding { ros1, cdr };
 
 enum class LaserType { laser_scan, multi_echo_laser_scan };
 
-/// Of "sensor_msgs/LaserScan" or, in ROS 2, "sensor_msgs/msg/LaserScan"; nothing for other types.
+/// The type named "sensor_msgs/LaserScan" or, in ROS 2, "sensor_msgs/msg/LaserScan", or that of
+/// several echoes; nothing for others.
 [[nodiscard]] std::optional<LaserType> laser_type(std::string_view type_name);
 
 struct LaserMessage {

@@ -14,7 +14,7 @@
 namespace scipd::sim {
 namespace {
 
-/// Of the host's time and the scanner's.
+/// One has the host's time, one the scanner's.
 constexpr std::size_t time_columns = 2;
 
 struct ColumnName {

@@ -33,7 +33,7 @@ struct Spacing {
     }
 };
 
-/// Of numbers that go up or down evenly; rounded ones are a little off.
+/// How numbers go up or down if they do so evenly; rounded ones are a little off.
 std::optional<Spacing> spacing_of(std::span<const double> numbers) {
     constexpr double rounded = 0.25;
     if (numbers.size() < fewest_ranges) return std::nullopt;

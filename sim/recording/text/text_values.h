@@ -40,7 +40,7 @@ namespace scipd::sim {
     return words.wrong() ? std::nullopt : std::optional(pose);
 }
 
-/// Of a whole number, without a point.
+/// A whole number as text, without a point.
 [[nodiscard]] inline std::string whole_text(double value) {
     return std::to_string(std::llround(value));
 }

@@ -25,7 +25,7 @@ class LikelyUnit {
         ++(range > farthest_m ? beyond_ : within_);
     }
 
-    /// Of whole numbers, and where most are farther than scanners see: millimetres.
+    /// Millimetres if all are whole numbers, or if most are farther than scanners see in metres.
     [[nodiscard]] RangeUnit unit() const {
         return !points_ || beyond_ > within_ ? RangeUnit::millimetres : RangeUnit::metres;
     }

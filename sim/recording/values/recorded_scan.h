@@ -48,7 +48,7 @@ struct RecordedScan {
     Directions directions;
     std::optional<LaserPose> pose;  ///< of its step 0, in the recording's own frame
     RangeUnit unit = RangeUnit::millimetres;
-    /// Of each step, all echoes near to far; the next step's follow.
+    /// Step by step, all echoes of a step near to far.
     std::vector<double> ranges;
     std::vector<double> intensities;  ///< one for each range; empty: not recorded
     /// For each step, how many of `ranges` there are up to its last. Empty: one a step.

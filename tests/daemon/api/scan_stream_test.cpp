@@ -50,7 +50,7 @@ class Client : public WebSocket {
         }
         return all;
     }
-    /// The same: how many messages of each sensor.
+    /// How many messages of each sensor have come since the last call.
     std::map<std::string, std::uint64_t> read() {
         std::map<std::string, std::uint64_t> heard;
         for (const auto& message : take_all())

@@ -159,7 +159,7 @@ TEST_F(TruthTest, HasTheEchoesOfAScannerThatSeesLight) {
     client_.reset();  // before its device
 }
 
-// Of a curve so steep that the range which was read has another bias.
+// The curve is so steep that the range which was read has another bias.
 TEST_F(TruthTest, HasTheBiasOfTheTrueRange) {
     for (const auto accuracy : {sim::Accuracy::sensor, sim::Accuracy::material}) {
         SensorConfig config = ideal_sensor();

@@ -17,7 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 using scipd::tests::hex_bytes;
 
-// Of /tf beside turtlesim, recorded on 2021-12-06. From src/MessageReader.test.ts of
+// A message of /tf beside turtlesim, recorded on 2021-12-06. From src/MessageReader.test.ts of
 // github.com/foxglove/rosmsg2-serialization.
 const std::string of_turtlesim = hex_bytes(
     "00010000 01000000 286fae61 69ddd731 08000000 747572746c653100 0e000000"

@@ -60,7 +60,7 @@ std::vector<Sample> prompt(const std::vector<Sample>& samples) {
     return kept;
 }
 
-/// Of a device that answers at once. A stamp is rounded down, so the origin that a sample gives is
+/// The device answers at once. A stamp is rounded down, so the origin that a sample gives is
 /// late by the fraction of its millisecond: the latest origin is from just before a step of the
 /// stamp, the earliest from just after one. Nothing: the two are not close together, the steps
 /// cannot be seen.
@@ -82,7 +82,7 @@ std::optional<Sync> sync_at_steps(const std::vector<Sample>& samples) {
     return Sync{best.answered_ms, best.origin_ms() - late};
 }
 
-/// Of one that answers on a tick of 5 ms, which is a step of its stamp as well: replies that came
+/// The device answers on a tick of 5 ms, which is a step of its stamp as well: replies that came
 /// almost at once came at that tick.
 std::optional<Sync> sync_at_replies(const std::vector<Sample>& samples) {
     std::vector<Sample> kept;

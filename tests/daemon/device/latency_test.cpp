@@ -39,7 +39,7 @@ class Latency : public testing::TestWithParam<std::tuple<sim::Time, sim::Time>> 
         return std::chrono::duration<double, std::milli>(time).count();
     }
 
-    /// Of a reply to TM1 and of a scan: the line behind the status.
+    /// In a reply to TM1 and in a scan, it is the line behind the status.
     static double stamp_ms(const std::string& message) {
         const std::size_t status = message.find('\n') + 1;
         const std::size_t stamp = message.find('\n', status) + 1;

@@ -58,7 +58,7 @@ SensorBackends backends_for(const sim::SharedScene& scene, const std::string& ba
     return make_backends(requests, scene);
 }
 
-/// Of the model "model 1" at that time.
+/// Where the model "model 1" was at that time.
 double x_m(const World& world, sim::Time time) {
     return world.model_pose("model 1", time)->translation_m.x;
 }

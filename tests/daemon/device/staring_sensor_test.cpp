@@ -55,7 +55,7 @@ class StaringSensorTest : public testing::Test {
             all.push_back(record.cast->revolution);
         return all;
     }
-    /// Of the middle pixel.
+    /// What the middle pixel saw.
     [[nodiscard]] std::vector<float> ahead_m() const {
         std::vector<float> all;
         for (const StaringRecord& record : seen_)

@@ -46,7 +46,7 @@ void PrintTo(const Case& c, std::ostream* out) {  // NOLINT(readability-identifi
 
 class TimeSync : public testing::TestWithParam<Case> {
   protected:
-    /// Of the device's clock, at a time.
+    /// By how much the device's clock is ahead, at a time.
     struct Ahead {
         double at_ms;
         double ms;
@@ -84,7 +84,7 @@ class TimeSync : public testing::TestWithParam<Case> {
     SteppedDriver driver_{sensor(GetParam())};
 };
 
-/// Of a straight line through (i, values[i]).
+/// A straight line through (i, values[i]).
 struct Line {
     double at_0;
     double slope;
@@ -133,7 +133,7 @@ TEST_P(TimeSync, RecoversTheRateAndTheInstantsOfScans) {
     }
     const double rate = 1.0 + ppm * 1e-6;
     const Line line = line_through(number, stamp_ms);
-    // Of a mirror that turns in whole milliseconds every stamp is rounded by the same.
+    // Where a mirror turns in whole milliseconds every stamp is rounded by the same.
     const bool same_rounding = driver_.profile().scan_period % 1ms == 0ms;
     // Where the clock is read well before the reply leaves the bound stays loose by so much.
     const double looseness_ms = milliseconds(driver_.profile().reply_delay / 2);

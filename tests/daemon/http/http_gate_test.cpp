@@ -183,7 +183,7 @@ TEST(Gate, TakesAllSubprotocolsThatAreOfferedForOneList) {
     EXPECT_EQ(Gate{"correct"}.answer(request, false, loopback)->status, 401) << "which of the two?";
 }
 
-// Of those that `openssl rand -base64` makes, say.
+// The token is one that `openssl rand -base64` makes, say.
 TEST(Gate, TakesATokenAsBrowsersMustWriteIt) {
     const auto status = [&](const char* token, const char* offer) {
         auto request = asked_of("localhost:8080");

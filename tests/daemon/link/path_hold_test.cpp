@@ -32,7 +32,7 @@ class PathHoldTest : public testing::Test {
         }
     }
 
-    /// Of another process, which is killed then.
+    /// The status of another process, which held the path and was killed.
     [[nodiscard]] int killed_with_hold() const {
         const pid_t child = ::fork();
         if (child == 0) {

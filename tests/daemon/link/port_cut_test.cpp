@@ -51,7 +51,7 @@ class Client {
     Client(const Client&) = delete;
     Client& operator=(const Client&) = delete;
 
-    /// Of connect(); 0: it is connected.
+    /// The error of connect(); 0: it is connected.
     [[nodiscard]] int refusal() const { return refusal_; }
     void write(const std::string& bytes) const {
         EXPECT_EQ(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL),

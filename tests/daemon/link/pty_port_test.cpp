@@ -33,7 +33,7 @@ using testing::HasSubstr;
 using tests::ScannerWire;
 namespace fs = std::filesystem;
 
-/// Of another program.
+/// A tty as another program opens it.
 class Terminal {
   public:
     Terminal() {

@@ -79,7 +79,7 @@ TEST(Uart, SamplesTheMiddleOfWhatItTakesForBits) {
     EXPECT_EQ(heard("U", 57600, 38400), "\xe6");
     // 0 11111111 1 twice: the start bit is over before a slow receiver looks at it.
     EXPECT_EQ(heard("\xff\xff", 750000, 19200), "");
-    // The same at a third of the rate: the two start bits are edges, 0.5 of 3 bits later it is
+    // At a third of the rate: the two start bits are edges, 0.5 of 3 bits later it is
     // high.
     EXPECT_EQ(heard("\xff\xff", 750000, 250000), "");
 }

@@ -49,7 +49,7 @@ TEST(BestFit, IsTheProductOfWhichTheFiguresAre) {
                     .max_range_m = 5.6,
                     .rate_hz = 10.0}),
               "URG-04LX");
-    // The same of a faster one.
+    // One that is as this, but faster.
     EXPECT_EQ(best({.samples = 682,
                     .rows = 1,
                     .min_angle_rad = -2.0944,

@@ -40,7 +40,7 @@ Distances distances_mm(const FlatWall& wall, const sim::SensorSpec& optics, cons
     return distances;
 }
 
-/// Of the eleven middle beams.
+/// The noise of the eleven middle beams.
 Noise noise_of(const Distances& distances_mm) {
     const std::size_t beams = distances_mm.front().size();
     std::vector<double> mean_mm(beams);
@@ -220,7 +220,7 @@ TEST(UstNoise, FollowsTheIntensity) {
     }
 }
 
-// Of a UHG-08LX there is one figure, over the walls of a room, which it meets at some angle: the
+// There is one figure of a UHG-08LX, over the walls of a room, which it meets at some angle: the
 // mean of five neighbours has 1.43 times the variance of independent ones.
 TEST(UhgNoise, IsSharedByFiveNeighboursAsInARoom) {
     const sim::SensorSpec& optics = find_model("UHG-08LX").optics;

@@ -34,7 +34,7 @@ class HomesTest : public testing::Test {
     void know(const SensorConfig& sensor, std::optional<std::chrono::duration<double>> sweep) {
         known_["robot/" + sensor.name] = {sensor, nullptr, sweep};
     }
-    /// Of the sensors in their order, where none is held.
+    /// The shards of the sensors in their order, where none is held.
     [[nodiscard]] std::vector<std::size_t> homes() const {
         const Homes found = find_homes(config_, {.shards = 2}, known_);
         std::vector<std::size_t> shards;

@@ -247,7 +247,7 @@ TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {
     const auto poses = feed(trajectory(file));
     EXPECT_EQ(intake_.accepted(), 0U);
     poses->serve("robot");
-    // Of what lies within the next second and a half the sweeps need to know now.
+    // The sweeps need to know now what lies within the next second and a half.
     EXPECT_EQ(intake_.accepted(), 2U);
     EXPECT_DOUBLE_EQ(robot_x(10s), 1.0);
     EXPECT_DOUBLE_EQ(robot_x(10250ms), 1.5);

@@ -175,7 +175,7 @@ TEST_F(Depth, ServesSeveralScenesOnOneThread) {
     }
 }
 
-// Of what they share nothing goes with one of them.
+// Nothing of what they share goes with one of them.
 TEST_F(Depth, OutlivesAnother) {
     auto gone = make_depth_backend(SceneBuilder().add(Plane{{9, 9}}, wall_at(2)).build());
     const auto stays = make_depth_backend(SceneBuilder().add(Plane{{9, 9}}, wall_at(4)).build());

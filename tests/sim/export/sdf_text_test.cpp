@@ -64,7 +64,7 @@ std::vector<Named> models_of(const Scene& scene) {
 
 using Made = std::tuple<std::string, std::string, std::optional<double>, std::size_t>;
 
-/// Of each object its model and its material, and the kind of its shape.
+/// Each object's model, material and kind of shape.
 std::vector<Made> objects_of(const Scene& scene) {
     std::vector<Made> objects;
     for (const Object& object : scene.objects) {

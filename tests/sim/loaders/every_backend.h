@@ -17,7 +17,7 @@
 
 namespace scipd::sim {
 
-/// Of the scene that was asked for last: to make one that draws takes a while.
+/// Keeps those of the scene that was asked for last: to make one that draws takes a while.
 inline const std::map<std::string, std::unique_ptr<RangeBackend>>& backends_for(
     const SharedScene& scene) {
     static SharedScene last;

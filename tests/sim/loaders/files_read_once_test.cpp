@@ -35,7 +35,7 @@ class Openings {
         int count = 0;
         for (auto size = read(queue_, events.data(), events.size()); size > 0;
              size = read(queue_, events.data(), events.size())) {
-            // Of a file, unlike of a folder, no event has a name behind it.
+            // The events of a file, unlike those of a folder, have no name behind them.
             for (std::size_t at = 0; at < static_cast<std::size_t>(size);
                  at += sizeof(inotify_event)) {
                 inotify_event event{};

@@ -177,7 +177,7 @@ TEST(Corridor, isTwoMetresWideBetweenItsDoors) {
     EXPECT_NEAR(range_m[270], 1.F, 1e-4F);
 }
 
-/// Of what a scanner 0.5 m above the origin sees in this direction.
+/// What a scanner 0.5 m above the origin sees in this direction.
 Hit seen_in_depot(const LoadedScene& depot, int degree) {
     auto backend = make_backend("reference", depot.scene);
     const double angle_rad = degree * std::numbers::pi / 180.0;

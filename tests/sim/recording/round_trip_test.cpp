@@ -127,7 +127,7 @@ TEST(Recordings, OfCsvHaveNoRoomForOtherSteps) {
                  std::invalid_argument);
 }
 
-/// The same scans, cut off at each byte: what was whole is read, and nothing else.
+/// A file of those scans, cut off at each byte: what was whole is read, and nothing else.
 TEST_P(RoundTrip, ReadsWhatIsWholeOfAFileThatWasCutOff) {
     const TempDir directory;
     std::vector<RecordedScan> scans;

@@ -123,7 +123,7 @@ bool meets(const Pose& sensor, double bearing_rad, const glm::dvec3& middle_m, d
     return glm::length(to_middle - along_m * direction) <= radius_m;
 }
 
-/// Of two points far from each other and from the axis.
+/// How far two points moved at most that are far from each other and from the axis.
 double moved_m(const Pose& from, const Pose& to, double radius_m) {
     double most_m = 0.0;
     for (const glm::dvec3& point : {glm::dvec3{radius_m, 0, 0}, glm::dvec3{0, -radius_m, 0}})

@@ -40,7 +40,7 @@ struct Moments {
     double deviation;
 };
 
-/// Of the error of many scans of a wall.
+/// Moments of the error of many scans of a wall.
 Moments error_at(float wall_m, int scans) {
     const ErrorModel errors{Accuracy::sensor, 42, 7};
     double sum = 0.0;

@@ -85,8 +85,8 @@ TEST(NoiseRow, KeepsTheDeviationWithoutSharing) {
         EXPECT_NEAR(is.correlation[apart], 0.0, 0.015) << apart;
 }
 
-// Of two medians of five independent numbers that share four, three, two and one of them: 0.69,
-// 0.49, 0.31, 0.15, from 10^7 draws in another language. Half of all neighbours are equal.
+// Two medians of five independent numbers that share four, three, two and one of them correlate by
+// 0.69, 0.49, 0.31, 0.15, from 10^7 draws in another language. Half of all neighbours are equal.
 TEST(NoiseRow, SharesAsMuchAsMediansOfFive) {
     const std::array<double, 6> expected{1.0, 0.69, 0.49, 0.31, 0.15, 0.0};
     const Shared is = shared(flat, median);

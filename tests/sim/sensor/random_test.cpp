@@ -57,7 +57,7 @@ double mean_of(const std::vector<double>& numbers) {
     return sum / static_cast<double>(numbers.size());
 }
 
-/// Of two rows with mean 0 and variance 1.
+/// Both rows have mean 0 and variance 1.
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i)

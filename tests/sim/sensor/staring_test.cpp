@@ -181,7 +181,7 @@ TEST_P(StaringTest, WhatIsTooNearIsNothing) {
     EXPECT_EQ(told_in(SceneBuilder(), ranger(30, 61, Aggregate::weighted)), nothing);
 }
 
-/// Of its own errors, at 2 m, in units of sigma.
+/// Its own errors, at 2 m, in units of sigma.
 TEST(StaringNoise, OfARangerIsThatOfOneRange) {
     StaringSpec spec = ranger(30, 61, Aggregate::nearest);
     spec.noise = {{0.0, 0.01, 0.005}};

@@ -14,7 +14,7 @@ double cpu_s() {
     return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Of so many things of one name.
+/// How long it takes to name so many things of one name.
 double named_in_s(int things) {
     FreeNames names{':', 1};
     const double begun_s = cpu_s();

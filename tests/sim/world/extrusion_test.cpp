@@ -14,7 +14,7 @@ const Outline square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 const Outline hole{{1, 1}, {3, 1}, {3, 3}, {1, 3}};
 const Outline island{{1.5, 1.5}, {2.5, 1.5}, {2, 2.5}};
 
-/// Of all triangles that lie level at this height.
+/// The area of all triangles that lie level at this height.
 double area_at(const Mesh& mesh, float z) {
     double area_m2 = 0.0;
     for (const glm::uvec3& t : mesh.triangles) {

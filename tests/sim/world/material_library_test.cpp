@@ -147,7 +147,7 @@ TEST(MaterialLibrary, MakesMetalMirrorItsReflectance) {
 TEST(MaterialLibrary, TakesLaserRetroUpToOneAsTheReflectance) {
     const auto known = library();
     EXPECT_FLOAT_EQ(known.surface({"cheese", 0.3}, 905).diffuse, 0.3F);
-    // Of a known material it is how bright the face is; the rest stays.
+    // For a known material it is how bright the face is; the rest stays.
     const Surface dark_wood = known.surface({"wood", 0.2}, 905);
     EXPECT_FLOAT_EQ(dark_wood.diffuse, 0.15F);
     EXPECT_FLOAT_EQ(dark_wood.specular, 0.05F);

@@ -18,7 +18,7 @@ from fault_lab import Lab  # noqa: E402
 
 SCIPD, SCIPCAT, SCENE = sys.argv[1:4]
 LONGEST_S = 45
-# Of those that have a tty as well.
+# Two of those that have a tty as well.
 BY_TTY = {"UST-10LX@2.23.0000", "UTM-30LX@P.1.05"}
 
 

@@ -46,7 +46,7 @@ class Picture {
     }
     [[nodiscard]] int width() const { return cairo_image_surface_get_width(surface_.get()); }
     [[nodiscard]] int height() const { return cairo_image_surface_get_height(surface_.get()); }
-    /// Of everything in this colour, 0xRRGGBB, or very nearly.
+    /// Where everything in this colour, 0xRRGGBB, or very nearly, lies.
     [[nodiscard]] Extent extent_of(std::uint32_t colour) const {
         Extent extent;
         for (int y = 0; y < height(); ++y) {

@@ -110,7 +110,7 @@ TEST(Fit, TellsNoLawOfLightWhereNoiseGoesByTheRange) {
     }
 }
 
-/// Of two stations the longest was recorded without intensities.
+/// The longer of two stations was recorded without intensities.
 TEST(Fit, TellsTheLawOfLightOfThoseThatHaveIntensities) {
     SyntheticScanner scanner(ust(), {}, true, 5);
     Readings readings = scanner.begin();

@@ -11,8 +11,8 @@
 namespace scipd::tools {
 namespace {
 
-/// Of ranges r = s d / cos(a - n) + o by the logarithm of d and of the scale s, by n and by o, in
-/// units of 5 mm of noise. d and s appear as their product alone.
+/// How ranges r = s d / cos(a - n) + o go by the logarithm of d and of the scale s, by n and by o,
+/// in units of 5 mm of noise. d and s appear as their product alone.
 Jacobian one_plane(double from_rad, double to_rad) {
     constexpr double distance_m = 2.0;
     constexpr double sigma_m = 0.005;

@@ -14,7 +14,7 @@
 
 namespace scipd::tests {
 
-/// Of one parameter.
+/// How often the interval of one parameter held the truth.
 struct Hits {
     int inside = 0;
     int all = 0;

@@ -48,7 +48,7 @@ struct CheckReport {
 
 /// A scanner may send anything: what is no printable character of ASCII is a question mark.
 [[nodiscard]] std::string in_ascii(std::string_view text);
-/// The same as XML and HTML have it.
+/// A text of in_ascii() as XML and HTML write it, with entities.
 [[nodiscard]] std::string entities(std::string_view text);
 
 }  // namespace scipd::tools::checks

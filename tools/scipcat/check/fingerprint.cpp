@@ -157,7 +157,7 @@ Fingerprint take_fingerprint(const Ask& ask) {
         for (const std::string& question : situation.departures) {
             go_to(situation, ask);
             std::string shape = shape_of(ask(question));
-            // Of texts whose length is another each time, only the status is compared.
+            // Some texts have another length each time: only their status is compared.
             if (question == "VV" || question == "II") shape = shape.substr(0, shape.find(','));
             fingerprint[where + ": " + question] = std::move(shape);
         }

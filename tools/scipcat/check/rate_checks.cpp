@@ -55,7 +55,7 @@ Finding none_left_out(Subject& subject, const std::string& window) {
     return pass();
 }
 
-/// Of what came late to this machine the rest seems to come too soon; hence the tries.
+/// A scan that came late to this machine makes the next seem to come too soon; hence the tries.
 Finding as_often_here(Subject& subject) {
     constexpr int tries = 4;
     constexpr int count = 12;

@@ -23,7 +23,7 @@ Finding brings(Subject& subject, const std::string& request) {
     return is_scan(answer, request);
 }
 
-/// The same for all steps, of a command that some scanners lack.
+/// Whether a command that some scanners lack brings all steps.
 Finding brings_all(Subject& subject, const std::string& command) {
     if (!subject.facts().knows(command)) return not_applicable("it does not know " + command);
     return brings(subject, command + subject.all() + "01");

@@ -47,7 +47,7 @@ class Subject {
 
     /// The reply to a request; scans and other messages that come first are passed over.
     [[nodiscard]] Answer ask(const std::string& request);
-    /// The same; nothing: it does not come in time.
+    /// As ask(); nothing if the reply does not come in time.
     [[nodiscard]] std::optional<Answer> try_ask(const std::string& request);
     /// As ask(), for bytes with line ends of their own and the echo that is waited for.
     [[nodiscard]] Answer ask(std::string_view bytes, const std::string& echo);

@@ -43,7 +43,7 @@ double share_at(const BlockTable& table, std::size_t pair) {
     return sum / count;
 }
 
-/// Of the code whose share changes most in the fan.
+/// The effects on the share of one code: that whose share changes most in the fan.
 Effects effects_of_share(const Matter& matter, const Tables& tables) {
     const auto scans = static_cast<double>(std::min(matter.a.scans(), matter.b.scans()));
     Effects effects;

@@ -18,7 +18,7 @@ namespace scipd::tools::comparing {
 struct Taken {
     std::string name;
     ScanSeries series;
-    // Of a scanner that was asked for its time; a recording has no such questions.
+    // What a scanner told that was asked for its time. A recording has no such questions.
     std::optional<ClockRate> clock;
     std::optional<double> latency_ms;
 };

@@ -35,10 +35,10 @@ struct RunLabel {
     Mark mark = Mark::alike;
     std::string text;
 };
-/// Of the runs that matter most; no two at one place.
+/// Labels for the runs that matter most; no two at one place.
 [[nodiscard]] std::vector<RunLabel> labels_of(const Comparison& comparison);
 
-/// Of each pair; NaN where there is none.
+/// A value of each side for each pair; NaN where there is none.
 struct Curve {
     std::vector<double> a;
     std::vector<double> b;

@@ -22,7 +22,7 @@ std::string steps_text(const Difference& difference) {
     return worded("steps %d–%d", difference.from, difference.to);
 }
 
-/// Of what lies on one side of 0.
+/// The size of an effect that lies on one side of 0.
 Interval without_sign(const Interval& within) {
     return within.low < 0 ? Interval{-within.high, -within.low} : within;
 }
@@ -55,7 +55,7 @@ std::string codes_text(const Difference& difference) {
     return text;
 }
 
-/// Of nothing there is no multiple.
+/// Without a factor where A hardly spreads: nothing is a multiple of nothing.
 std::string spread_text(const Difference& difference) {
     constexpr double least_mm = 0.1;
     if (difference.a < least_mm)

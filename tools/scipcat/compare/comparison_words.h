@@ -26,7 +26,7 @@ namespace scipd::tools::comparing {
 /// "UST-10LX  ·  serial H0000042  ·  100 scans of 1081 steps", and what was left out.
 [[nodiscard]] std::string scanner_of(const Side& side);
 
-/// Of the table of both: empty where it is not known.
+/// A row of the table that has both sides; a text is empty where it is not known.
 struct Row {
     std::string what;
     std::string a;

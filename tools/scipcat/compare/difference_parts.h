@@ -23,7 +23,7 @@ struct Tables {
         : a(matter.blocks_a, matter.pairs.size()), b(matter.blocks_b, matter.pairs.size()) {}
 };
 
-/// Of each drawn block: the sum and the number of readings in a run, each weighted.
+/// What a drawn block has in a run: the sum and the number of its readings, each weighted.
 struct Drawn {
     double sum = 0;
     double count = 0;

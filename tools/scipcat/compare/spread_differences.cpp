@@ -66,7 +66,7 @@ Effects effects_of_spread(const Matter& matter, const Spreads& spreads) {
     Effects effects;
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
         effects.values.push_back(spreads.b[pair] - spreads.a[pair]);
-        // Of a standard deviation, by the normal distribution: sd / sqrt(2 n).
+        // A standard deviation itself deviates by sd / sqrt(2 n), by the normal distribution.
         effects.deviations.push_back(spreads.usual[pair] / std::sqrt(matter.fewer_distances(pair)));
     }
     return effects;

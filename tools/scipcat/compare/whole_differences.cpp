@@ -12,7 +12,7 @@ namespace {
 
 /// 95 % of a normal distribution are within so many deviations of its middle.
 constexpr double deviations_in_interval = 3.92;
-/// Of these quantities there are but three: four deviations are hardly ever chance.
+/// There are but three such quantities, so four deviations are hardly ever chance.
 constexpr double surely = 4;
 
 using Noises = std::vector<SharedNoise>;
@@ -69,7 +69,7 @@ void compare_neighbours(const Matter& matter, Comparison& comparison) {
                                  .effect = std::nan("")});
 }
 
-/// Of a rate: jitter and rounding of the first and the last scan.
+/// How far a rate may be off by jitter and rounding of the first and the last scan.
 double uncertainty_hz(const Side& side, double tick_s) {
     const double jitter_s = std::max(*side.stamps.jitter_ms / 1e3, tick_s);
     const double seconds = static_cast<double>(side.scans) / *side.stamps.rate_hz;

@@ -99,8 +99,9 @@ void round_off(Mean& mean) {
     mean.variance = std::max(mean.variance, of_one_reading / mean.readings);
 }
 
-/// Of 0 and 1 the variance is known, if the blocks do not say that it is larger: then something
-/// lasted. The share is that of both, as it is if they do not differ, by H. Jeffreys' rule.
+/// Where all values are 0 or 1 the variance is known, if the blocks do not say that it is larger:
+/// then something lasted. The share is that of both, as it is if they do not differ, by the rule of
+/// H. Jeffreys.
 Uncertainty of_shares(const Mean& a, const Mean& b) {
     constexpr double many = 1e6;
     constexpr double chance_of_blocks = 2;

@@ -32,8 +32,8 @@ struct WindowTest {
 /// How many tests there are with so many pairs of beams.
 [[nodiscard]] std::size_t tests_among(std::size_t pairs);
 
-/// Of each pair: 0 if all may be chance, 1 where B has more, -1 where it has less. Only pairs with
-/// `tested` count.
+/// Tells for each pair 0 if all may be chance, 1 where B has more, -1 where it has less. Only
+/// pairs with `tested` count.
 [[nodiscard]] std::vector<int> find_differing(const BlockTable& a, const BlockTable& b,
                                               const std::vector<bool>& tested,
                                               const WindowTest& test);

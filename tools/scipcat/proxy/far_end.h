@@ -45,8 +45,8 @@ class FarEnd : public std::enable_shared_from_this<FarEnd> {
 
     void write(std::string_view bytes);
     [[nodiscard]] std::size_t unwritten() const { return writing_.size() + waiting_.size(); }
-    /// Of a tty, in bits per second, for what comes next. Over TCP there is none to set. False: the
-    /// tty cannot do it.
+    /// Sets a tty's rate for what comes next. Over TCP there is none to set. False: the tty cannot
+    /// do it.
     [[nodiscard]] bool set_rate(int bits_per_second);
     /// Nothing more will be written: over TCP the scanner is told.
     void end_writing();

@@ -152,7 +152,8 @@ bool TwinComparison::alike(const TwinDifference& a, const TwinDifference& b) con
            (a.codes || std::abs(a.by_mm() - b.by_mm()) <= tolerance_mm_);
 }
 
-/// Of what was told and is no more, the steps that do not differ in another way now.
+/// The steps of a difference that was told and is no more, without those that differ in another
+/// way now.
 std::vector<TwinDifference> TwinComparison::rest_of(const TwinDifference& old,
                                                     const std::vector<TwinDifference>& now) const {
     std::vector<TwinDifference> rest;

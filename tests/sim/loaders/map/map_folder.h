@@ -29,7 +29,7 @@ std::string odd_png(unsigned width, unsigned height, unsigned depth, unsigned co
 /// 24 bits a pixel, all three colours the same; a negative height puts the upper row first.
 std::string bmp(int width, int height, const std::vector<int>& greys);
 
-/// Of the best quality, written by stb_image_write: blocks of 8 x 8 of one grey stay exact.
+/// A JPEG of the best quality, written by stb_image_write: blocks of 8 x 8 of one grey stay exact.
 std::string jpeg(int width, const std::vector<int>& greys);
 
 /// A YAML with everything that map_server wants, and `more`. One metre a pixel, from the origin.

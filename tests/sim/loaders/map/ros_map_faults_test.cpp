@@ -41,7 +41,7 @@ class RosMapFaults : public ::testing::Test {
         return faults_of([&] { load_ros_map(file); }, folder_);
     }
 
-    /// Of a sound YAML with this picture.
+    /// The faults of a sound YAML with this picture.
     std::vector<std::string> picture_faults(const std::string& picture) {
         folder_.write("a.pgm", picture);
         return faults(yaml("a.pgm"));

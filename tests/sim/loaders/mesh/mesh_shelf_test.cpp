@@ -32,7 +32,7 @@ std::string large_obj() {
     return text;
 }
 
-/// Of this process, by any of its threads.
+/// How many children this process has, by any of its threads.
 std::ptrdiff_t children() {
     std::ptrdiff_t count = 0;
     for (const auto& task : std::filesystem::directory_iterator{"/proc/self/task"}) {

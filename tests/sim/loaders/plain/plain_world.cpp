@@ -56,7 +56,7 @@ const XMLElement& child_of(const XMLElement& element, const char* name) {
     return *child;
 }
 
-/// Of SDF: six numbers in an element.
+/// SDF has six numbers in an element.
 glm::dmat4 pose_of(const XMLElement& element) {
     const auto* pose = element.FirstChildElement("pose");
     if (pose == nullptr) return glm::dmat4{1.0};
@@ -65,7 +65,7 @@ glm::dmat4 pose_of(const XMLElement& element) {
     return matrix_of({v.at(0), v.at(1), v.at(2)}, {v.at(3), v.at(4), v.at(5)});
 }
 
-/// Of URDF: two attributes.
+/// URDF has two attributes.
 glm::dmat4 origin_of(const XMLElement& element) {
     const auto* origin = element.FirstChildElement("origin");
     if (origin == nullptr) return glm::dmat4{1.0};

@@ -150,7 +150,7 @@ TEST_F(SdfActors, HaveSkinsOfTheScaleThatTheyWant) {
     EXPECT_EQ(ahead_m({-2, 0, 3.5}), nothing);
 }
 
-// Of Gazebo Classic's walk.dae the origin lies at the hips: at z = 0 its feet are meant, at z = 1
+// The origin of Gazebo Classic's walk.dae lies at the hips: at z = 0 its feet are meant, at z = 1
 // (Gazebo Sim, and plugins) its hips.
 TEST_F(SdfActors, StandOnTheGround) {
     for (const double origin : {0.0, -0.95}) {

@@ -34,7 +34,7 @@ std::string model(const std::string& name, const std::string& inside) {
 
 class SdfRepair : public ::testing::Test {
   protected:
-    /// Of all that is seen in these models and in one that has no fault, which is not listed.
+    /// Names all that is seen in these models, beside one that has no fault, which is not listed.
     std::vector<std::string> seen(const std::string& models) {
         const std::string text = world(model("ok", link("l", visual("v", unit_box))) + models);
         const auto file = folder_.write("a.sdf", text);

@@ -77,7 +77,7 @@ TEST_F(SdfState, ModelsLieWhereTheyWereSaved) {
     EXPECT_EQ(scene_->models.at(0).world_from_model.translation_m, glm::dvec3(5, 0, 0));
 }
 
-// Of links, and of models in models, the state says where they lie in the world.
+// The state says of links, and of models in models, where they lie in the world.
 TEST_F(SdfState, LinksAndNestedModelsLieInTheWorld) {
     const std::string arm = "<link name='arm'><pose>0 0 1 0 0 0</pose>" + visual("v", unit_box);
     load("<model name='m'><pose>1 1 1 1 0 0</pose>" + arm +
