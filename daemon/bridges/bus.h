@@ -47,7 +47,7 @@ struct RosTopics {
 /// `listener` must outlive the bus. Throws std::runtime_error where there is no network.
 std::unique_ptr<Bus> listen_to_ros2(const RosTopics& topics, BusListener& listener);
 
-/// Topics of ROS 2 or ROS 1 by rosbridge, which need not be there yet.
+/// Topics of ROS 1 or 2 by rosbridge. The rosbridge need not be there yet.
 std::unique_ptr<Bus> listen_to_rosbridge(const std::string& host, std::uint16_t port,
                                          const RosTopics& topics, BusListener& listener);
 

@@ -21,8 +21,8 @@ class ProtobufReader {
     bool next();
     [[nodiscard]] bool good() const { return good_; }
 
-    /// The number and the value of the field that next() came to. A value of another kind is zero
-    /// or empty.
+    /// The number of the field that next() came to, and its value as each kind. Kinds that it is
+    /// not of are zero or empty.
     [[nodiscard]] std::uint32_t field() const { return field_; }
     [[nodiscard]] std::int64_t integer() const { return integer_; }
     [[nodiscard]] double float64() const { return float64_; }

@@ -39,7 +39,7 @@ class PoseFeed {
     virtual void stop() = 0;
     /// Where poses are to be sent, with the port that was really taken; nothing: not by a network.
     [[nodiscard]] virtual std::optional<Address> address() const { return std::nullopt; }
-    /// Whether this feed moves models: if several have one source that tells of models, one does.
+    /// Tells this feed whether to move models. Of several feeds with one source, one does.
     virtual void move_models(bool /*yes*/) {}
     /// What has come.
     [[nodiscard]] virtual SourceReport report() const = 0;

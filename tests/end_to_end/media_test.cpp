@@ -82,7 +82,7 @@ TEST_F(Media, HideTheWallWhileTheyAreThere) {
     ASSERT_EQ(wire.ask(stream_ahead), "00");
     EXPECT_TRUE(becomes(wire, sees_all));
 
-    // A wall in 3 m gives back exp(-2 * 3.912 / 0.5 * 3) = 4e-21 of the light: nobody sees it.
+    // A wall 3 m away gives back exp(-2 * 3.912 / 0.5 * 3) = 4e-21 of the light: nobody sees it.
     // What comes back at all comes from the fog, and so from nearer.
     const ControlAnswer fog = ask(daemon, "PUT", R"([{"kind":"fog","visibility_m":0.5}])");
     EXPECT_EQ(fog.status, 200) << fog.body;

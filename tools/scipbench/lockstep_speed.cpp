@@ -54,7 +54,7 @@ Seconds read_all(boost::asio::io_context& io, Readers& readers, Seconds of_world
     return Clock::now() - begin;
 }
 
-/// Reads only where scipd leaves a processor free, as hosts do that have machines of their own. To
+/// Reads only where scipd leaves a processor free, as if the hosts had machines of their own. To
 /// check each byte of 50 scanners takes 8 % of a core, which one of scipd's threads would lack.
 Seconds read_behind(boost::asio::io_context& io, Readers& readers, Seconds of_world) {
     const auto read = [&] {

@@ -21,7 +21,7 @@ struct Calibration {
     bool by_world = false;  ///< else by several stations of one room
     std::vector<BiasAt> curve;
     bool but_for_slope = false;  ///< the curve may have any slope, since the room may have any size
-    /// Which straight line the curve is, if it is one and that is known.
+    /// Which straight line the curve is, if it is one, and as far as that is known.
     std::optional<Interval> offset_mm;       ///< at the range 0
     std::optional<Interval> scale_mm_per_m;  ///< its slope
     /// Where the scanner stood, by station, as far as that is known; in a world.

@@ -146,7 +146,7 @@ struct Told {
     std::vector<double> bias, bent, left, offset, slope, x, y, yaw;
 };
 
-/// A fit again, with knots elsewhere: a curve that bends between its knots comes out otherwise, and
+/// Fits again with knots elsewhere: a curve that bends between its knots comes out otherwise, and
 /// so does what hangs on it.
 PlaceFit with_other_knots(const std::vector<Sight>& sights, PlaceFit fit) {
     std::vector<double> knots_mm = knots_between(fit.knots_mm);

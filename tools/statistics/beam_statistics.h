@@ -24,8 +24,8 @@ struct ScanSpan {
     return {0, series.scans()};
 }
 
-/// What the readings of a beam that are distances have in common. All is NaN where there are none;
-/// so is the spread of one.
+/// Statistics of those readings of a beam that are distances. All is NaN where there are none; so
+/// is the spread of one.
 struct BeamStatistics {
     std::size_t distances = 0;
     double share = 0;  ///< of all readings that are distances
@@ -42,7 +42,7 @@ struct BeamStatistics {
 /// It gives a distance in nine of ten scans, and its readings gather about one.
 [[nodiscard]] bool is_steady(const BeamStatistics& beam);
 
-/// Whether a neighbour of each beam looks at another surface, or at none.
+/// For each beam, whether a neighbour looks at another surface, or at none.
 [[nodiscard]] std::vector<bool> beside_edges(std::span<const BeamStatistics> beams);
 
 /// Whether two neighbours at these ranges seem to be on one surface: they are no farther apart than

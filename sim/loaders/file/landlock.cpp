@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include <fcntl.h>
 #include <linux/landlock.h>
@@ -83,8 +82,6 @@ bool hold_program_to(const Folders& folders) {
     if (rules < 0) return false;
     for (const fs::path& folder : folders)
         allow(rules, folder, to_read);
-    std::error_code error;
-    allow(rules, fs::read_symlink("/proc/self/exe", error).parent_path(), to_read);
     allow_programs(rules);
     const bool holds = prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
                        syscall(SYS_landlock_restrict_self, rules, 0) == 0;

@@ -9,8 +9,9 @@
 
 namespace scipd::sim {
 
-/// From now on this process writes no file, and reads only what lies in these folders and what it
-/// and programs of the PATH are made of. False: the kernel cannot do that, and nothing has changed.
+/// From now on this process writes no file, and reads only what lies in these folders and what
+/// programs of the PATH are made of. A folder may be a file, which is read then. False: the kernel
+/// cannot do that, and nothing has changed.
 [[nodiscard]] bool hold_program_to(const Folders& folders);
 
 }  // namespace scipd::sim

@@ -20,6 +20,7 @@
 #include "sim/loaders/reader/no_network.h"
 #include "sim/loaders/reader/read_scene.h"
 #include "sim/loaders/reader/scene_answer.h"
+#include "sim/loaders/terrain/gdal_dem.h"
 
 namespace {
 
@@ -32,7 +33,9 @@ void put_texts(const std::vector<std::string>& texts, std::FILE* out) {
 /// Without a kernel that can do so, the reader itself still looks where each file lies.
 void give_up_all_else(const SceneRequest& request) {
     if (request.folders) read_only_from(*request.folders);
-    (void)hold_program_to(request.folders.value_or(Folders{"/"}));
+    Folders open = request.folders.value_or(Folders{"/"});
+    open.push_back(dem_module());
+    (void)hold_program_to(open);
     (void)forbid_network(request.runs_xacro() ? Programs::may_run : Programs::none);
 }
 

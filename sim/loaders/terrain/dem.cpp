@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -16,6 +17,7 @@
 #include <dlfcn.h>
 #include <glm/vec2.hpp>
 
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/between_processes.h"
 #include "sim/loaders/file/confined.h"
 #include "sim/loaders/file/load_error.h"
@@ -29,30 +31,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside scipd-read, which this program is if it is no test.
-fs::path module_file() {
-    std::error_code error;
-    const auto here = fs::read_symlink("/proc/self/exe", error).parent_path();
-    const auto beside = here / SCIPD_READ_DEM;
-    return fs::exists(beside, error) ? beside : here / SCIPD_READ_DEM_FROM_BIN;
-}
-
 using ReadDem = decltype(&scipd_read_dem);
 
-/// The module stays until this process ends.
-ReadDem load_module() {
-    const fs::path file = module_file();
-    std::error_code error;
-    if (!fs::exists(file, error)) {
-        throw std::runtime_error(
-            "is no picture, and this scipd was built without GDAL, which reads elevation models; "
-            "build it where libgdal-dev is installed, or convert the file with `gdal_translate "
-            "-of PNG -ot UInt16 -scale` and name the PNG");
+[[noreturn]] void refuse_without(const fs::path& file) {
+    if (SCIPD_GDAL) {
+        throw std::runtime_error("needs " + file.filename().string() +
+                                 ", which comes with scipd-read and is not at " + file.string());
     }
+    throw std::runtime_error(
+        "is no picture, and this scipd was built without GDAL, which reads elevation models; "
+        "build it where libgdal-dev is installed, or convert the file with `gdal_translate "
+        "-of PNG -ot UInt16 -scale` and name the PNG");
+}
+
+/// GDAL brings OpenBLAS, which starts a thread for each core when it is loaded. They have nothing
+/// to do here, and the memory of many does not fit into a child.
+ReadDem load_module() {
+    const fs::path file = dem_module();
+    std::error_code error;
+    if (!fs::exists(file, error)) refuse_without(file);
+    ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
     void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* function = module == nullptr ? nullptr : dlsym(module, "scipd_read_dem");
-    if (function == nullptr)
-        throw std::runtime_error(std::string("needs GDAL, which cannot be loaded: ") + dlerror());
+    if (function == nullptr) {
+        throw std::runtime_error("needs GDAL, which cannot be loaded: " + std::string(dlerror()) +
+                                 or_in_no_folder());
+    }
     return reinterpret_cast<ReadDem>(function);
 }
 
@@ -93,6 +97,13 @@ HeightGrid take_grid(std::FILE* in) {
 
 }  // namespace
 
+fs::path dem_module() {
+    std::error_code error;
+    const auto here = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const auto beside = here / SCIPD_READ_DEM;
+    return here.empty() || fs::exists(beside, error) ? beside : here / SCIPD_READ_DEM_FROM_BIN;
+}
+
 HeightGrid read_dem(const fs::path& file) {
     const Confines confines{.processor_time = std::chrono::seconds{60},
                             .memory_bytes = std::size_t{2} << 30U};
@@ -100,8 +111,9 @@ HeightGrid read_dem(const fs::path& file) {
         if (const auto plain = check_plain_file(file); !plain) {
             throw std::runtime_error(plain.error().why + "; a terrain is wanted here");
         }
+        static const ReadDem module = load_module();  // once for all terrains of a world
         return take_grid(run_confined(confines, [&](std::FILE* out) {
-                             put_grid(read_by(load_module(), file), out);
+                             put_grid(read_by(module, file), out);
                          }).get());
     } catch (const std::exception& wrong) {
         throw LoadError({file.string() + ": " + wrong.what()});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The one function of the module scipd-read-dem.so, which alone links GDAL: with the hundred
-// libraries of GDAL any program starts 29 ms later. dem.cpp loads the module where a world has an
-// elevation model. One thread.
+// The one function of the module scipd-read-dem.so, which alone links GDAL: a program that has the
+// hundred libraries of GDAL takes 29 ms longer to start. dem.cpp loads the module where a world has
+// an elevation model. One thread.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +11,9 @@
 #include "sim/loaders/terrain/height_grid.h"
 
 namespace scipd::sim {
+
+/// Where the module is if there is one: beside scipd-read, which this program is if it is no test.
+std::filesystem::path dem_module();
 
 /// Reads an elevation model. Throws std::exception with what is wrong, in words of the file, too.
 extern "C" void scipd_read_dem(const std::filesystem::path& file, HeightGrid& grid);

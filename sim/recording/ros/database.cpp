@@ -10,7 +10,7 @@
 namespace scipd::sim {
 namespace {
 
-/// So many steps of the library's virtual machine may one row take; a plain one takes ten.
+/// The most steps of the library's virtual machine that one row may take; a plain one takes ten.
 constexpr int most_operations = 10'000'000;
 
 int open_file(const InputFile& file, sqlite3** database) {

@@ -25,7 +25,7 @@ class LikelyUnit {
         ++(range > farthest_m ? beyond_ : within_);
     }
 
-    /// Millimetres if all are whole numbers, or if most are farther than scanners see in metres.
+    /// Millimetres if none has a point, or if most, taken as metres, are farther than scanners see.
     [[nodiscard]] RangeUnit unit() const {
         return !points_ || beyond_ > within_ ? RangeUnit::millimetres : RangeUnit::metres;
     }

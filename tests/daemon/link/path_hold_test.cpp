@@ -32,7 +32,7 @@ class PathHoldTest : public testing::Test {
         }
     }
 
-    /// The status of another process, which held the path and was killed.
+    /// The signal that ended another process, which held the path.
     [[nodiscard]] int killed_with_hold() const {
         const pid_t child = ::fork();
         if (child == 0) {

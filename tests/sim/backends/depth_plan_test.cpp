@@ -69,6 +69,7 @@ void expect_in_place(const DepthPlan& plan, std::size_t beams) {
         count += picture.view_count;
         const auto views = plan.views_of(picture);
         for (auto view = views.begin(); view != views.end(); ++view) {
+            EXPECT_TRUE(glm::all(glm::greaterThanEqual(view->corner_px, glm::ivec2{0})));
             EXPECT_TRUE(glm::all(glm::lessThanEqual(end_px(*view), picture.size_px)));
             EXPECT_TRUE(std::all_of(views.begin(), view, [&](const PlannedView& other) {
                 return lie_apart(other, *view);

@@ -48,7 +48,7 @@ struct CheckReport {
 
 /// A scanner may send anything: what is no printable character of ASCII is a question mark.
 [[nodiscard]] std::string in_ascii(std::string_view text);
-/// A text of in_ascii() as XML and HTML write it, with entities.
+/// A text as in_ascii() has it, with the entities of XML and HTML.
 [[nodiscard]] std::string entities(std::string_view text);
 
 }  // namespace scipd::tools::checks

@@ -55,7 +55,7 @@ std::string codes_text(const Difference& difference) {
     return text;
 }
 
-/// Without a factor where A hardly spreads: nothing is a multiple of nothing.
+/// Without a factor where A hardly spreads: to divide by next to nothing tells nothing.
 std::string spread_text(const Difference& difference) {
     constexpr double least_mm = 0.1;
     if (difference.a < least_mm)

@@ -23,7 +23,7 @@ struct Tables {
         : a(matter.blocks_a, matter.pairs.size()), b(matter.blocks_b, matter.pairs.size()) {}
 };
 
-/// What a drawn block has in a run: the sum and the number of its readings, each weighted.
+/// The sum and the number of the readings of a run, each weighted: in one block, or in all drawn.
 struct Drawn {
     double sum = 0;
     double count = 0;

@@ -82,6 +82,10 @@ TEST(Landlock, HoldsToFoldersAndToReading) {
                      may_open(in + "new", O_WRONLY | O_CREAT), may_open("/dev/null", O_WRONLY)});
     if (left.empty()) GTEST_SKIP() << "this kernel has no Landlock";
     EXPECT_EQ(left, "ynnny");
+    const std::string beside = inside.write("b", "c");
+    EXPECT_EQ(after([&] { return hold_program_to({in}); },
+                    {may_open(in, O_RDONLY), may_open(beside, O_RDONLY)}),
+              "yn");
     // As for what a configuration names.
     EXPECT_EQ(after([] { return hold_program_to({"/"}); },
                     {may_open(in, O_RDONLY), may_open(out, O_RDONLY), may_open(out, O_WRONLY)}),
