@@ -84,6 +84,18 @@ def check_asking(program):
     assert "nobody listens there" in refused, refused
 
 
+def check_terrain(program, scratch):
+    """GDAL, if scipd was built with it, comes beside the program that reads worlds."""
+    if not (BUILD / "libexec/scipd/scipd-read-dem.so").exists():
+        return
+    (scratch / "heights.asc").write_text("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n0 1\n0 1\n")
+    world = scratch / "terrain.sdf"
+    world.write_text("""<sdf version="1.9"><model name="m"><link name="l"><visual name="v"><geometry>
+<heightmap><uri>heights.asc</uri><size>9 9 1</size></heightmap></geometry></visual></link></model></sdf>""")
+    printed = run(program, world)
+    assert "terrain.sdf: 1 objects" in printed, printed
+
+
 def check_testing(program, scratch):
     """The test of docs/testing.md, which is that of the example."""
     code = (SOURCES / "examples/wall_test.cpp").read_text()
@@ -108,6 +120,7 @@ def main():
         os.environ["SCIPD_READ"] = str(prefix / "libexec/scipd/scipd-read")
         printed = run(scratch / "examples/scan_a_room", SOURCES / "scenes/square_room.sdf")
         assert "objects, 3.000 m straight ahead" in printed, printed
+        check_terrain(scratch / "examples/scan_a_room", scratch)
         check_asking(scratch / "examples/ask_scanner")
         check_testing(scratch / "examples/wall_test", scratch)
 
