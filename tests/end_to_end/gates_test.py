@@ -38,6 +38,10 @@ class Answer:
         return problem["detail"]
 
 
+# What they are told, such as faults of libraries to pass over.
+SANITIZERS = {name: value for name, value in os.environ.items() if name.endswith("SAN_OPTIONS")}
+
+
 class Scipd:
     """With these options and a run directory of its own."""
 
@@ -45,7 +49,7 @@ class Scipd:
         self.process = subprocess.Popen(
             [program, "--pty", "none", "--tcp", "127.0.0.1:0", *options] if "--config" not in options
             else [program, *options],
-            env={"XDG_RUNTIME_DIR": str(folder), "PATH": "/usr/bin:/bin"}, cwd=cwd or folder,
+            env={"XDG_RUNTIME_DIR": str(folder), "PATH": "/usr/bin:/bin", **SANITIZERS}, cwd=cwd or folder,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         self.ready = json.loads(line) if line else None

@@ -23,6 +23,6 @@ inline constexpr const char* sanitizers_report_crashes =
 
 /// For tests whose child process must be done in a limited time.
 inline constexpr const char* sanitizers_take_time =
-    "a sanitizer makes Assimp so slow that its child process passes its limit of two minutes";
+    "a sanitizer makes Assimp so slow that its child process passes its limit of time";
 
 }  // namespace scipd::tests

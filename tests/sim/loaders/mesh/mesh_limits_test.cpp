@@ -142,6 +142,7 @@ TEST_F(MeshLimitsTest, aSubmeshIsReadBehindTheSameOnes) {
 
 // As an exporter writes a file that gives each face a material of its own.
 TEST_F(MeshLimitsTest, aMaterialForEachOfVeryManyFacesIsRefused) {
+    if (tests::sanitized) GTEST_SKIP() << tests::sanitizers_take_time;
     std::string faces = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
     std::string materials;
     for (int i = 0; i < 10'010; ++i) {
