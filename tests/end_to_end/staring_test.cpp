@@ -140,7 +140,8 @@ TEST_F(Staring, IsListedWithoutAWire) {
 }
 
 TEST_F(Staring, StreamsEveryInstantAndRestsWhenNobodyLooks) {
-    if (sanitized) GTEST_SKIP() << "a sanitized scipd does not make 25 pictures of a camera a second";
+    if (sanitized)
+        GTEST_SKIP() << "a sanitized scipd does not make 25 pictures of a camera a second";
     start(robots("embree"));
     {
         WebSocketClient socket(daemon_->control(), "/stream?sensor=robot/tof");
