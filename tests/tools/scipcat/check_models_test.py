@@ -53,6 +53,9 @@ class Subject:
               f"{verdicts.count('pass')} pass, {verdicts.count('differs')} differ, nearest {report['nearest']}")
 
     def check_again(self):
+        """What has failed; all where an answer that came late hid which firmware it is."""
+        if not self.nearest:
+            return self.check()
         sections = [word for check in self.failed for word in ("--section", check["id"])]
         print(f"{self.model} by {self.target}: again", *(check["id"] for check in self.failed))
         self.exit_code, report = report_of(self.target, *sections)
