@@ -33,9 +33,9 @@ void put_texts(const std::vector<std::string>& texts, std::FILE* out) {
 /// Without a kernel that can do so, the reader itself still looks where each file lies.
 void give_up_all_else(const SceneRequest& request) {
     if (request.folders) read_only_from(*request.folders);
-    Folders open = request.folders.value_or(Folders{"/"});
-    open.push_back(dem_module());
-    (void)hold_program_to(open);
+    Folders readable = request.folders.value_or(Folders{"/"});
+    readable.push_back(dem_module());
+    (void)hold_program_to(readable);
     (void)forbid_network(request.runs_xacro() ? Programs::may_run : Programs::none);
 }
 

@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // Reads the heights of a terrain from a picture or from a digital elevation model. Elevation models
-// need GDAL, and a build without it refuses them. Any thread; nothing shared.
+// need GDAL, and a build without it refuses them. Any thread and nothing shared for pictures; the
+// single thread of a process for elevation models.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +16,8 @@ namespace scipd::sim {
 /// LoadError, which names the file.
 HeightGrid read_heights(const std::filesystem::path& file);
 
-/// Reads an elevation model. Throws LoadError, which names the file.
+/// Reads an elevation model. Throws LoadError, which names the file. The first one loads GDAL into
+/// this process and changes its environment, which should have a single thread, as scipd-read has.
 HeightGrid read_dem(const std::filesystem::path& file);
 
 }  // namespace scipd::sim
