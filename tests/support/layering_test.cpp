@@ -190,12 +190,12 @@ TEST(FolderLawsSelfTest, NameHeadersOfOneNameAndWhatLiesBesideTheRooms) {
 }
 
 TEST(FolderLawsSelfTest, CountLines) {
-    EXPECT_THAT(faults_of_length(with("sim/a.h", std::string(150, '\n'))), IsEmpty());
-    EXPECT_THAT(faults_of_length(with("sim/a.h", std::string(151, '\n'))),
-                ElementsAre("sim/a.h has 151 lines; a header has at most 150"));
-    EXPECT_THAT(faults_of_length(with("sim/a.cpp", std::string(300, '\n'))), IsEmpty());
-    EXPECT_THAT(faults_of_length(with("sim/a.cpp", std::string(301, '\n'))),
-                ElementsAre("sim/a.cpp has 301 lines; a source has at most 300"));
+    EXPECT_THAT(faults_of_length(with("sim/a.h", std::string(200, '\n'))), IsEmpty());
+    EXPECT_THAT(faults_of_length(with("sim/a.h", std::string(201, '\n'))),
+                ElementsAre("sim/a.h has 201 lines; a header has at most 200"));
+    EXPECT_THAT(faults_of_length(with("sim/a.cpp", std::string(500, '\n'))), IsEmpty());
+    EXPECT_THAT(faults_of_length(with("sim/a.cpp", std::string(501, '\n'))),
+                ElementsAre("sim/a.cpp has 501 lines; a source has at most 500"));
 }
 
 }  // namespace
