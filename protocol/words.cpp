@@ -185,9 +185,9 @@ std::string stream_words(const Request& request) {
 }
 
 std::string scan_words(const Request& echo) {
-    // A counted stream counts down; the last scan has 00.
-    const std::string_view count = echo.parameters().substr(11, 2);
-    return "a scan of the stream; the count in its echo is " + std::string(count);
+    const std::string count(echo.parameters().substr(11, 2));
+    return "a scan of the stream; echoed scan count: " + count +
+           (count == "00" ? " (endless, or the last one)" : "");
 }
 
 }  // namespace

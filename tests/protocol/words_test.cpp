@@ -140,7 +140,9 @@ TEST(Words, TellWhatTheReplyIs) {
     EXPECT_EQ(reply("VV", "", status::ok), "tells the version");
     EXPECT_EQ(reply("MD", "0000108001000", status::ok), "the stream begins");
     EXPECT_EQ(reply("MD", "0000108001009", status::scan_follows),
-              "a scan of the stream; the count in its echo is 09");
+              "a scan of the stream; echoed scan count: 09");
+    EXPECT_EQ(reply("MD", "0000108001000", status::scan_follows),
+              "a scan of the stream; echoed scan count: 00 (endless, or the last one)");
     EXPECT_EQ(reply("GD", "0000108001", status::ok), "the scan that was asked for");
     EXPECT_EQ(reply("GD", "0000108001", status::denied), "not carried out");
 }
