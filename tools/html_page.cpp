@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "tools/html_page.h"
 
+#include <cmath>
+
 #include "tools/markup.h"
 
 namespace scipd::tools {
@@ -33,6 +35,21 @@ svg .middle, svg .label { text-anchor: middle; }
 std::string html_head(const std::string& title, std::string_view style) {
     return std::string(head) + std::string(style) + "</style>\n<title>" + in_markup(title) +
            "</title></head><body>\n";
+}
+
+std::vector<double> round_ticks(double low, double high, int most) {
+    if (!(high > low) || !std::isfinite(high - low)) return {};
+    const double least = (high - low) / most;
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    const double tick = power * (least <= power       ? 1
+                                 : least <= 2 * power ? 2
+                                 : least <= 5 * power ? 5
+                                                      : 10);
+    constexpr double slack = 1e-9;
+    std::vector<double> ticks;
+    for (double n = std::ceil(low / tick - slack); n <= high / tick + slack; ++n)
+        ticks.push_back(n == 0.0 ? 0.0 : n * tick);
+    return ticks;
 }
 
 }  // namespace scipd::tools

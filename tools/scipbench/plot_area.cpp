@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/html_page.h"
+
 namespace scipd::tools {
 namespace {
 
@@ -38,22 +40,12 @@ std::string number(double value) {
     return text.data();
 }
 
-/// The numbers of an axis: powers of ten, or about eight round steps.
+/// The numbers of an axis: powers of ten, or at most eight round intervals.
 std::vector<double> ticks(const AxisRange& axis) {
+    if (!axis.powers_of_ten) return round_ticks(axis.low, axis.high, 8);
     std::vector<double> values;
-    if (axis.powers_of_ten) {
-        for (double power = std::ceil(std::log10(axis.low)); power <= std::log10(axis.high);
-             ++power)
-            values.push_back(std::pow(10.0, power));
-        return values;
-    }
-    const double rough = (axis.high - axis.low) / 8.0;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    const double step = rough > 5.0 * power   ? 10.0 * power
-                        : rough > 2.0 * power ? 5.0 * power
-                                              : 2.0 * power;
-    for (double value = std::ceil(axis.low / step) * step; value <= axis.high; value += step)
-        values.push_back(std::abs(value) < 1e-9 * step ? 0.0 : value);
+    for (double power = std::ceil(std::log10(axis.low)); power <= std::log10(axis.high); ++power)
+        values.push_back(std::pow(10.0, power));
     return values;
 }
 

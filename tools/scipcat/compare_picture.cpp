@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tools/colours.h"
+#include "tools/html_page.h"
 #include "tools/page.h"
 #include "tools/scipcat/compare/comparison_view.h"
 #include "tools/scipcat/compare/comparison_words.h"
@@ -124,9 +125,11 @@ void draw_differences(const Sheet& sheet, const Comparison& comparison) {
     }
     cairo_rectangle(sheet.context(), Sheet::margin, chart_top, Sheet::side, chart_height);
     sheet.stroke(colours::frame, 1);
-    char reach[60];
-    std::snprintf(reach, sizeof reach, "%+.3g mm", reach_mm);
-    sheet.write(reach, {Sheet::margin + 6, chart_top + 18}, 14, colours::faint_ink);
+    for (const double tick_mm : round_ticks(-reach_mm, reach_mm, 4)) {
+        char text[60];
+        std::snprintf(text, sizeof text, tick_mm == 0 ? "%.0f mm" : "%+.3g mm", tick_mm);
+        sheet.write(text, {Sheet::margin + 6, height(tick_mm) + 5}, 14, colours::faint_ink);
+    }
     sheet.write("How much farther B is, by step; the band is what A's halves differ by",
                 {Sheet::margin, chart_top - 10}, 15, colours::faint_ink);
     const double below = chart_top + chart_height + 18;

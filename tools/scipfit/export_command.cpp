@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/export_command.h"
-
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -11,6 +9,7 @@
 #include "daemon/config/config_file.h"
 #include "tools/options.h"
 #include "tools/scipfit/export.h"
+#include "tools/scipfit/scipfit_commands.h"
 
 namespace scipd::tools {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/fit_command.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -25,6 +23,7 @@
 #include "tools/scipfit/report_html.h"
 #include "tools/scipfit/room_report.h"
 #include "tools/scipfit/room_sdf.h"
+#include "tools/scipfit/scipfit_commands.h"
 
 namespace scipd::tools {
 namespace {

@@ -6,9 +6,7 @@
 
 #include "tools/completion_command.h"
 #include "tools/options.h"
-#include "tools/scipfit/export_command.h"
-#include "tools/scipfit/fit_command.h"
-#include "tools/scipfit/room_command.h"
+#include "tools/scipfit/scipfit_commands.h"
 
 int main(int argc, char** argv) {
     CLI::App program("Makes of recordings the scanner that made them: a model for scipd.",

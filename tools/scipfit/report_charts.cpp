@@ -152,7 +152,7 @@ std::string noise_by_intensity(const ReportView& view, const Fit& fit) {
     const double most = greatest(view, light);
     if (view.beams.empty() || most <= 0.0) return {};
     SvgChart chart({"intensity", 0.0, 1.05 * most},
-                   {"standard deviation, mm", 0.0, highest_sd_mm(view)});
+                   {"standard deviation (mm)", 0.0, highest_sd_mm(view)});
     chart.dots(measured(view, light), "real");
     std::vector<ChartPoint> law;
     if (fit.noise->model.by_intensity) {
@@ -166,8 +166,8 @@ std::string noise_by_intensity(const ReportView& view, const Fit& fit) {
 std::string noise_by_range(const ReportView& view) {
     if (view.beams.empty()) return {};
     const auto range_m = [](const BeamNoise& beam) { return beam.range_mm / 1000.0; };
-    SvgChart chart({"range, m", 0.0, 1.05 * greatest(view, range_m)},
-                   {"standard deviation, mm", 0.0, highest_sd_mm(view)});
+    SvgChart chart({"range (m)", 0.0, 1.05 * greatest(view, range_m)},
+                   {"standard deviation (mm)", 0.0, highest_sd_mm(view)});
     chart.dots(measured(view, range_m), "real");
     chart.dots(told(view, range_m), "told");
     return chart.svg();
@@ -183,7 +183,7 @@ std::string noise_by_beam(const ReportView& view) {
         law.push_back({static_cast<double>(beam.step), beam.law_mm});
     }
     SvgChart chart({"step", real.front().x - 1.0, real.back().x + 1.0},
-                   {"standard deviation, mm", 0.0, highest_sd_mm(view)});
+                   {"standard deviation (mm)", 0.0, highest_sd_mm(view)});
     chart.dots(real, "real");
     chart.dots(law, "told");
     return chart.svg();
@@ -192,8 +192,8 @@ std::string noise_by_beam(const ReportView& view) {
 std::string quantile_chart(const ReportView& view) {
     if (view.quantiles.empty()) return {};
     constexpr double reach = 3.5;
-    SvgChart chart({"of a normal distribution, deviations", -reach, reach},
-                   {"of the readings, deviations", -reach, reach}, 360.0);
+    SvgChart chart({"normal quantiles (standard deviations)", -reach, reach},
+                   {"quantiles of the readings (standard deviations)", -reach, reach}, 360.0);
     chart.line({{-reach, -reach}, {reach, reach}}, "law");
     std::vector<ChartPoint> points;
     for (const Quantile& quantile : view.quantiles)
@@ -212,7 +212,7 @@ std::string correlation_chart(const Fit& fit) {
         least = std::min({least, fit.smoothing->beside[lag].low, twin[lag]});
         most = std::max({most, fit.smoothing->beside[lag].high, twin[lag]});
     }
-    SvgChart chart({"what a reading shares its noise with", 0.0, 6.0},
+    SvgChart chart({"neighbour of the reading", 0.0, 6.0},
                    {"correlation", std::min(least, -0.05), 1.1 * most});
     const auto pair = [&](double x, const Interval& real, double simulated, const char* name) {
         chart.line({{x - 0.1, 0.0}, {x - 0.1, real.value}}, "thick real-line");
@@ -230,8 +230,7 @@ std::string code_chart(const CodeShares& codes) {
     if (codes.codes.empty()) return {};
     // Shares go over four powers of ten, so the axis has their logarithms.
     const double places = std::max(5.0, static_cast<double>(codes.codes.size()));
-    SvgChart chart({"code in place of a distance", 0.0, places},
-                   {"percent of all codes, as a power of ten", -3.0, 2.5});
+    SvgChart chart({"error code", 0.0, places}, {"share of all codes (log10 of %)", -3.0, 2.5});
     double place = 0.5;
     for (const auto& [code, counts] : codes.codes) {
         const double percent = 100.0 * counts.all() / codes.all.all();
@@ -256,7 +255,7 @@ std::string held_out_chart(const HeldOut& held_out) {
     double most = 0.05;
     for (const Way& way : ways)
         most = std::max(most, 1.2 * (way.nll - held_out.nll_per_beam));
-    SvgChart chart({"how the noise is told", 0.0, 3.0}, {"worse than per beam, nats", 0.0, most});
+    SvgChart chart({"noise model", 0.0, 3.0}, {"excess over a per-beam model (nats)", 0.0, most});
     double place = 0.5;
     for (const Way& way : ways) {
         if (way.nll != 0.0) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/room_command.h"
-
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -21,6 +19,7 @@
 #include "tools/scipfit/read_readings.h"
 #include "tools/scipfit/room_report.h"
 #include "tools/scipfit/room_sdf.h"
+#include "tools/scipfit/scipfit_commands.h"
 
 namespace scipd::tools {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tools/html_page.h"
 #include "tools/markup.h"
 #include "tools/scipfit/formatted.h"
 
@@ -17,25 +18,6 @@ constexpr double left_rim = 60.0;
 constexpr double right_rim = 20.0;
 constexpr double top_rim = 10.0;
 constexpr double bottom_rim = 44.0;
-
-/// A round number such that the axis has about so many of its multiples.
-double spacing_of(const Axis& axis, int about) {
-    const double exact = (axis.high - axis.low) / about;
-    const double power = std::pow(10.0, std::floor(std::log10(exact)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= exact) return factor * power;
-    }
-    return 10.0 * power;
-}
-
-template <class Take>
-void at_multiples(const Axis& axis, int about, const Take& take) {
-    const double spacing = spacing_of(axis, about);
-    const double slack = 1e-9 * spacing;
-    for (double value = spacing * std::ceil((axis.low - slack) / spacing);
-         value <= axis.high + slack; value += spacing)
-        take(std::abs(value) < slack ? 0.0 : value);
-}
 
 }  // namespace
 
@@ -92,22 +74,21 @@ void SvgChart::text(const ChartPoint& at, const std::string& words, const std::s
 
 std::string SvgChart::frame() const {
     std::string text;
-    at_multiples(y_, 4, [&](double value) {
+    for (const double value : round_ticks(y_.low, y_.high, 4)) {
         text += formatted("<line class=\"grid\" x1=\"%.0f\" x2=\"%.0f\" y1=\"%.1f\" y2=\"%.1f\"/>",
                           left_rim, width - right_rim, down(value), down(value));
         text += formatted("<text class=\"right\" x=\"%.0f\" y=\"%.1f\">%.4g</text>\n",
                           left_rim - 6.0, down(value) + 4.0, value);
-    });
-    if (names_.empty())
-        at_multiples(x_, 8, [&](double value) {
-            text += formatted("<text class=\"middle\" x=\"%.1f\" y=\"%.1f\">%.5g</text>\n",
-                              across(value), height_ - bottom_rim + 17.0, value);
-        });
+    }
+    for (const double value :
+         names_.empty() ? round_ticks(x_.low, x_.high, 8) : std::vector<double>())
+        text += formatted("<text class=\"middle\" x=\"%.1f\" y=\"%.1f\">%.5g</text>\n",
+                          across(value), height_ - bottom_rim + 17.0, value);
     text += formatted("<text class=\"right\" x=\"%.0f\" y=\"%.1f\">", width - right_rim,
                       height_ - bottom_rim + 36.0) +
             in_markup(x_.label) + "</text>\n";
     text += formatted("<text x=\"%.0f\" y=\"%.1f\">", left_rim, height_ - bottom_rim + 36.0) +
-            in_markup("up: " + y_.label) + "</text>\n";
+            in_markup("y: " + y_.label) + "</text>\n";
     return text;
 }
 

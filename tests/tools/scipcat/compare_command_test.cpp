@@ -2,9 +2,11 @@
 // Copyright The scipd authors
 //
 // `scipcat compare` as a user calls it: scanners, recordings, reports, exit codes.
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,9 @@ namespace scipd::tests {
 namespace {
 
 using nlohmann::json;
+using testing::AnyOf;
 using testing::ContainsRegex;
+using testing::DoubleNear;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -89,6 +93,20 @@ TEST(ScipcatCompare, NamesWhatDiffersFromARecording) {
     EXPECT_GT(document.at("codes_a").at(nothing).get<double>(), 0.04);
 }
 
+/// The numbers beside each vertical axis of a page.
+std::vector<std::vector<double>> axes_of(const std::string& page) {
+    const std::regex tick(R"(<svg|class="right">([^<]+)<)");
+    std::vector<std::vector<double>> axes;
+    for (std::sregex_iterator it(page.begin(), page.end(), tick), end; it != end; ++it) {
+        if ((*it)[1].matched)
+            axes.back().push_back(std::stod((*it)[1]));
+        else
+            axes.emplace_back();
+    }
+    std::erase_if(axes, [](const auto& axis) { return axis.empty(); });
+    return axes;
+}
+
 TEST(ScipcatCompare, WritesReports) {
     const TempDir directory;
     const auto before = record_room(directory, "room.mcap");
@@ -105,6 +123,16 @@ TEST(ScipcatCompare, WritesReports) {
     EXPECT_THAT(page, HasSubstr("steps 500–520 nearer by 0.31 m"));
     EXPECT_THAT(page, HasSubstr("prefers-color-scheme: dark"));
     EXPECT_THAT(page, Not(HasSubstr("http")));  // it needs nothing else
+    const auto axes = axes_of(page);
+    EXPECT_GE(axes.size(), 2U);
+    for (const std::vector<double>& axis : axes) {
+        ASSERT_GE(axis.size(), 2U);
+        const double step = std::abs(axis[1] - axis[0]);
+        const double mantissa = step / std::pow(10, std::floor(std::log10(step) + 1e-9));
+        EXPECT_THAT(mantissa, AnyOf(DoubleNear(1, 1e-6), DoubleNear(2, 1e-6), DoubleNear(5, 1e-6)));
+        for (const double value : axis)
+            EXPECT_NEAR(value / step, std::round(value / step), 1e-6) << value;
+    }
     EXPECT_THAT(text_of(directory.path() / "report.png"), StartsWith("\x89PNG"));
     EXPECT_EQ(json::parse(text_of(directory.path() / "report.json")).at("verdict"), "differ");
 }

@@ -67,6 +67,7 @@ TEST(Report, IsAPageWithAllPictures) {
           "On readings that it was not fitted to", "What is not known"})
         EXPECT_THAT(page, HasSubstr(title));
     EXPECT_THAT(page, Not(HasSubstr("nan")));
+    EXPECT_THAT(page, HasSubstr(">y: standard deviation (mm)</text>"));
     EXPECT_THAT(page, HasSubstr("prefers-color-scheme: dark"));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/html_page.h"
 #include "tools/markup.h"
 
 namespace scipd::tools::comparing {
@@ -79,29 +80,30 @@ double place_of_step(const Comparison& comparison, std::size_t pair) {
                static_cast<double>(std::max<std::size_t>(comparison.pairs.size(), 2) - 1);
 }
 
-std::string chart_begins(const Comparison& comparison, double top, double bottom) {
-    std::string text =
-        markup("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", svg_width, chart_height + 24);
-    const double reach = top - bottom;
-    for (int i = 0; i <= 4; ++i) {
-        const double y = 8 + (chart_height - 16) * i / 4;
-        text += markup("<line class=\"grid\" x1=\"%.0f\" x2=\"%.0f\" y1=\"%.1f\" y2=\"%.1f\"/>",
-                       left_rim, svg_width - right_rim, y, y);
-        text += markup("<text x=\"%.0f\" y=\"%.1f\" class=\"right\">%.4g</text>\n", left_rim - 6,
-                       y + 4, top - reach * i / 4);
-    }
-    const std::size_t pairs = comparison.pairs.size();
-    for (std::size_t i = 0; i <= 6; ++i) {
-        const std::size_t pair = (pairs - 1) * i / 6;
-        text += markup("<text x=\"%.0f\" y=\"%.0f\" class=\"middle\">%d</text>\n",
-                       place_of_step(comparison, pair), chart_height + 16, comparison.steps[pair]);
-    }
-    return text;
-}
-
 double height_of(double value, double top, double bottom) {
     const double share = std::clamp((top - value) / (top - bottom), -0.02, 1.02);
     return 8 + (chart_height - 16) * share;
+}
+
+std::string chart_begins(const Comparison& comparison, double top, double bottom) {
+    std::string text =
+        markup("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", svg_width, chart_height + 24);
+    for (const double value : round_ticks(bottom, top, 4)) {
+        const double y = height_of(value, top, bottom);
+        text += markup("<line class=\"grid\" x1=\"%.0f\" x2=\"%.0f\" y1=\"%.1f\" y2=\"%.1f\"/>",
+                       left_rim, svg_width - right_rim, y, y);
+        text += markup("<text x=\"%.0f\" y=\"%.1f\" class=\"right\">%.4g</text>\n", left_rim - 6,
+                       y + 4, value);
+    }
+    const auto& steps = comparison.steps;
+    const int intervals = std::clamp(steps.back() - steps.front(), 1, 8);
+    for (const double step : round_ticks(steps.front(), steps.back(), intervals)) {
+        const auto pair = std::ranges::lower_bound(steps, static_cast<int>(step)) - steps.begin();
+        text += markup("<text x=\"%.0f\" y=\"%.0f\" class=\"middle\">%.0f</text>\n",
+                       place_of_step(comparison, static_cast<std::size_t>(pair)), chart_height + 16,
+                       step);
+    }
+    return text;
 }
 
 std::string curve_path(const Comparison& comparison, const std::vector<double>& values,
