@@ -201,6 +201,23 @@ void add_identity(Json& header, const ScannerIdentity& scanner) {
     header["rpm"] = scanner.rpm;
 }
 
+/// Runs of consecutive steps: [[first, last], ..].
+Json runs_of(const std::vector<int>& steps) {
+    Json runs = Json::array();
+    for (const int step : steps) {
+        if (runs.empty() || runs.back()[1] != step - 1) runs.push_back({step, step});
+        runs.back()[1] = step;
+    }
+    return runs;
+}
+
+void add_faults(Json& header, const std::vector<ReadingFault>& faults) {
+    header["faults"] = Json::array();
+    for (const ReadingFault& fault : faults)
+        header["faults"].push_back(
+            {{"kind", fault.kind}, {"what", fault.what}, {"steps", runs_of(fault.steps)}});
+}
+
 /// All echoes of a scanner that tells several: where those of each beam end, and the echoes.
 void add_echoes(Frame& frame, const std::vector<protocol::StepEchoes>& steps) {
     std::vector<std::uint32_t> ends;
@@ -239,6 +256,7 @@ std::string view_frame(const std::string& sensor, const ScanRecord& record,
     if (!record.sent.echoes.empty()) add_echoes(frame, record.sent.echoes);
     if (depth != ViewDepth::truth) return std::move(frame).finish();
     add_truth(frame, record);
+    add_faults(frame.header(), record.faults);
     frame.header()["causes"] = cause_words();
     frame.add<std::uint8_t>("cause", scan.readings.size(), [&](std::size_t beam) {
         return static_cast<std::uint8_t>(scan.readings[beam].cause);

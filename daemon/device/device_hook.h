@@ -6,7 +6,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "daemon/device/sensor_record.h"
 #include "protocol/session_hook.h"
 #include "sim/sensor/scan.h"
 #include "sim/sensor/sensor_spec.h"
@@ -19,8 +21,8 @@ class DeviceHook : public protocol::SessionHook {
     virtual void turn(std::int64_t revolution) = 0;
     /// Whether anybody gets the scan of a complete revolution.
     virtual bool serves(std::int64_t revolution) = 0;
-    /// May change what the sensor read.
-    virtual void read(sim::Scan& scan, const sim::SensorSpec& optics) = 0;
+    /// May change what the sensor read. Returns the changes.
+    virtual std::vector<ReadingFault> read(sim::Scan& scan, const sim::SensorSpec& optics) = 0;
     virtual void booted() = 0;
 };
 

@@ -59,9 +59,10 @@ ScanRecord Device::cast(std::int64_t revolution) {
         sweep_.measure(revolution, device_clock_.world_time(start), fired, clock_.origin(),
                        cold_start_ ? start : sim::Conditions{}.on_for);
     watch.stop(made.backend->backend, counts_);
+    std::vector<ReadingFault> faults;
     if (hook_ != nullptr) {
         sim::Scan scan = *made.cast;
-        hook_->read(scan, sweep_.optics());
+        faults = hook_->read(scan, sweep_.optics());
         made.cast = std::make_shared<const sim::Scan>(std::move(scan));
     }
     const auto slow = pace_.add({.backend = made.backend->backend,
@@ -72,6 +73,7 @@ ScanRecord Device::cast(std::int64_t revolution) {
                                  .end = clock_.now()});
     if (slow) spdlog::warn("{}: {}", sweep_.name(), *slow);
     ScanRecord record{std::move(made)};
+    record.faults = std::move(faults);
     record.sent = to_wire(*record.cast, {.start = start_of(revolution)}, sweep_.optics(), profile_);
     return record;
 }
@@ -90,7 +92,7 @@ ScanRecord Device::played(std::int64_t revolution, const Replay::Shown& shown) {
                    .echoes = std::move(taped.echoes)};
     if (hook_ != nullptr) {
         const std::vector<sim::Reading> before = scan.readings;
-        hook_->read(scan, sweep_.optics());
+        record.faults = hook_->read(scan, sweep_.optics());
         put_changed(before, scan.readings, profile_, record.sent);
     }
     record.cast = std::make_shared<const sim::Scan>(std::move(scan));

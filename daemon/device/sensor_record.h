@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "daemon/device/bridge.h"
@@ -15,8 +16,16 @@
 
 namespace scipd::daemon {
 
+/// How a fault changed the readings of a scan.
+struct ReadingFault {
+    std::string kind;
+    std::string what;        ///< for people, as in the log of faults
+    std::vector<int> steps;  ///< the changed steps, ascending; empty: the whole scan
+};
+
 struct ScanRecord : Measurement {
     WireScan sent;
+    std::vector<ReadingFault> faults;
     sim::Accuracy accuracy = sim::Accuracy::sensor;  ///< of the scanner
     std::uint32_t stamp_ms = 0;                      ///< the time that the wire gave it
     int front_step = 0;

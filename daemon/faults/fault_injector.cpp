@@ -187,10 +187,16 @@ bool FaultInjector::serves(std::int64_t revolution) {
     return serves;
 }
 
-void FaultInjector::read(sim::Scan& scan, const sim::SensorSpec& optics) {
+std::vector<ReadingFault> FaultInjector::read(sim::Scan& scan, const sim::SensorSpec& optics) {
     site_.now.scan = scan.revolution;
     site_.key = static_cast<std::uint64_t>(scan.revolution);
+    const std::uint64_t before = site_.log.last();
     each_acting([&](FaultEffect& effect, FaultScene& scene) { effect.read(scan, optics, scene); });
+    std::vector<ReadingFault> changes;
+    for (auto entry = site_.log.entries().rbegin();
+         entry != site_.log.entries().rend() && entry->number > before; ++entry)
+        changes.push_back({entry->kind, entry->what, entry->steps});
+    return changes;
 }
 
 void FaultInjector::booted() {

@@ -54,7 +54,7 @@ class FaultInjector : private DeviceHook, private LineHook {
     // DeviceHook
     void turn(std::int64_t revolution) override;
     bool serves(std::int64_t revolution) override;
-    void read(sim::Scan& scan, const sim::SensorSpec& optics) override;
+    std::vector<ReadingFault> read(sim::Scan& scan, const sim::SensorSpec& optics) override;
     void booted() override;
     // LineHook
     void leaving(protocol::Send& message) override;

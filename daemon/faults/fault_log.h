@@ -51,6 +51,8 @@ class FaultLog {
     /// How often faults have acted, also those that are forgotten.
     [[nodiscard]] std::uint64_t hits() const { return hits_; }
     [[nodiscard]] const Entries& entries() const { return entries_; }
+    /// The number of the latest entry; 0: none yet.
+    [[nodiscard]] std::uint64_t last() const { return last_; }
     /// Is told of each entry from here on; null: nobody.
     void watch(Watcher watcher) { watcher_ = std::move(watcher); }
 

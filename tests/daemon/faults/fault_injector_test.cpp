@@ -6,6 +6,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,28 @@ TEST_F(LateTurnsTest, AFaultForOneScanChangesTheNextOneAlone) {
     ASSERT_EQ(injector_.list().size(), 1U);
     EXPECT_EQ(injector_.list().front().state, "ended");
     EXPECT_EQ(injector_.list().front().hits, 1U);
+}
+
+TEST_F(LateTurnsTest, ARecordTellsWhichFaultsChangedItsReadings) {
+    const auto next = [&] {
+        clock_.advance_to(device_.leaves(revolution_));
+        tell_turns(1);
+        return device_.log().latest()->faults;
+    };
+    EXPECT_TRUE(next().empty());
+    const auto dirt = parse_fault(R"({"kind":"dirty","steps":[500,502]})");
+    const auto id = injector_.start(dirt.value(), 1);
+    injector_.start(parse_fault(R"({"kind":"freeze"})").value(), 1);
+    injector_.start(parse_fault(R"({"kind":"sums"})").value(), 1);
+    const auto faults = next();
+    ASSERT_EQ(faults.size(), 2U);
+    EXPECT_EQ(faults[0].kind, "freeze");
+    EXPECT_TRUE(faults[0].steps.empty());
+    EXPECT_EQ(faults[1].kind, "dirty");
+    EXPECT_EQ(faults[1].what, "the window is dirty");
+    EXPECT_EQ(faults[1].steps, (std::vector{500, 501, 502}));
+    injector_.stop(id);
+    EXPECT_EQ(next().size(), 1U);
 }
 
 }  // namespace
