@@ -72,6 +72,64 @@ test('fits a phone', async ({page, start}) => {
   await expect(page.locator('#canvas')).toBeVisible();
 });
 
+/** Tabs and buttons that are cut off, and selects with an option that they have no room for. */
+function cutOff() {
+  const pen = document.createElement('canvas').getContext('2d');
+  const ARROW_PX = 20;
+  const isCut = (element) => {
+    const {left, right} = element.getBoundingClientRect();
+    const around = element.closest('aside, #view').getBoundingClientRect();
+    if (left < around.left - 1 || right > around.right + 1 || element.scrollWidth > element.clientWidth + 1) return true;
+    if (element.tagName !== 'SELECT') return false;
+    const style = getComputedStyle(element);
+    pen.font = `${style.fontSize} ${style.fontFamily}`;
+    const room = element.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - ARROW_PX;
+    return [...element.options].some(({text}) => pen.measureText(text).width > room);
+  };
+  return [...document.querySelectorAll('[role=tab], aside select, aside button, .tools button')]
+    .filter((element) => element.checkVisibility() && isCut(element)).map((element) => element.outerHTML.slice(0, 120));
+}
+
+for (const width of [700, 1400]) {
+  test(`no tab and no select is cut off, ${width} pixels wide`, async ({page, start}) => {
+    await page.setViewportSize({width, height: 600});
+    const daemon = await start(ROOM);
+    await daemon.put('/scene/media', [{kind: 'fog', visibility_m: 30}]);
+    await open(page, daemon);
+    await withScan(page);
+    for (const panel of PANELS) {
+      await page.getByRole('tab', {name: panel}).click();
+      await page.evaluate(unfold);
+      if (panel === 'Sensors') await expect(page.locator('#sensor-model option')).not.toHaveCount(0);
+      if (panel === 'World') await expect(page.locator('#air select')).toBeVisible();
+      if (panel === 'Faults') await page.locator('#fault-kind').selectOption('corrupt');
+      expect(await page.evaluate(cutOff), panel).toEqual([]);
+    }
+  });
+}
+
+test('the legend hangs below the toolbar, however many lines that has', async ({page, start}, info) => {
+  mkdirSync(info.outputDir, {recursive: true});
+  await page.setViewportSize({width: 700, height: 600});
+  const daemon = await start(ROOM);
+  await open(page, daemon);
+  await withScan(page);
+  await page.locator('#legend').evaluate((legend) => { legend.dataset.place = 'top'; });
+  const tools = await page.locator('.tools').boundingBox();
+  const legend = await page.locator('#legend').boundingBox();
+  expect(tools.height).toBeGreaterThan(60);
+  expect(legend.y).toBeGreaterThanOrEqual(tools.y + tools.height);
+});
+
+test('the list of keys names each key', async ({page, start}) => {
+  await open(page, await start(ROOM));
+  await page.locator('#help').click();
+  const keys = await page.locator('#keys kbd').allTextContents();
+  expect(keys.filter((key) => !/^\S+$/.test(key))).toEqual([]);
+  const row = page.locator('#keys tr').filter({hasText: 'one scan back'});
+  expect(await row.locator('kbd').allTextContents()).toEqual([',', '.']);
+});
+
 for (const width of [375, 1280]) {
   test(`the card of what is selected can be read, ${width} pixels wide`, async ({page, start}) => {
     await page.setViewportSize({width, height: 740});

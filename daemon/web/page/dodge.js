@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // Legend and scale step aside where they would cover a robot: each goes to the first of its places that is free, and
-// stays until a robot comes there.
+// stays until a robot comes there, or as long as the pointer is on it. All that hangs below the toolbar moves down with
+// it.
 import {Vector3} from './three.module.js';
 import {MARK_RADIUS_M} from './robots.js';
 import {byId} from './elements.js';
@@ -17,12 +18,15 @@ export class Dodge {
     this.dodgers = [byId('legend'), byId('scale')];
     world.addEventListener('changed', () => this.radii_m.clear());
     stage.afterEach(() => this.look());
+    const tools = document.querySelector('.tools');
+    const bottom = () => `${tools.offsetTop + tools.offsetHeight + 8}px`;
+    new ResizeObserver(() => byId('view').style.setProperty('--below-tools', bottom())).observe(tools);
   }
 
   look() {
     const robots = [...this.robots.poses.robots.keys()].map((name) => this.circleOf(name)).filter(Boolean);
     for (const element of this.dodgers) {
-      if (!element.checkVisibility() || !covers(element, robots)) continue;
+      if (!element.checkVisibility() || element.matches(':hover') || !covers(element, robots)) continue;
       const free = PLACES.find((place) => {
         element.dataset.place = place;
         return !covers(element, robots);

@@ -34,10 +34,10 @@ export class Keys {
     };
     return [
       {shown: 'W A S D', help: 'drive the selected thing, or the first robot; with Shift faster'},
-      {key: 'n', act: () => selection.step(1), shown: 'N, B', help: 'select the next thing, or the one before'},
+      {key: 'n', act: () => selection.step(1), shown: 'N B', help: 'select the next thing, or the one before'},
       {key: 'b', act: () => selection.step(-1)},
       {key: 'arrowleft', act: orbit(-1, 0), shown: '← → ↑ ↓',
-        help: 'look from another side; with Shift: move the view'},
+        help: 'orbit; with Shift: pan'},
       {key: 'arrowright', act: orbit(1, 0)},
       {key: 'arrowup', act: orbit(0, 1)},
       {key: 'arrowdown', act: orbit(0, -1)},
@@ -45,38 +45,38 @@ export class Keys {
       {key: 'shift+arrowright', act: pan(1, 0)},
       {key: 'shift+arrowup', act: pan(0, 1)},
       {key: 'shift+arrowdown', act: pan(0, -1)},
-      {key: '+', act: () => viewpoint.zoom(0.87), shown: '+ −', help: 'nearer, farther'},
+      {key: '+', act: () => viewpoint.zoom(0.87), shown: '+ −', help: 'zoom in, zoom out'},
       {key: '=', act: () => viewpoint.zoom(0.87)},
       {key: 'shift++', act: () => viewpoint.zoom(0.87)},
       {key: '-', act: () => viewpoint.zoom(1.15)},
-      {key: 'f', act: views.all, shown: 'F', help: 'see all of the world'},
-      {key: 't', act: views.top, shown: 'T', help: 'see it straight down, as on a plan, and back'},
-      {key: 'k', act: () => clock.toggle(), shown: 'K, J',
-        help: 'under clock: poses, play or pause time, and one step'},
+      {key: 'f', act: views.all, shown: 'F', help: 'fit the whole world'},
+      {key: 't', act: views.top, shown: 'T', help: 'top view, as on a plan, and back'},
+      {key: 'k', act: () => clock.toggle(), shown: 'K J',
+        help: 'with clock: poses: play or pause, one step'},
       {key: 'j', act: () => clock.step()},
       {key: 'l', act: views.follow, shown: 'L', help: 'follow the selected thing, or the first robot'},
       {key: 'r', act: toggle('rays'), shown: 'R', help: 'rays'},
-      {key: 'u', act: toggle('fans'), shown: 'U', help: 'what the other scanners look over'},
+      {key: 'u', act: toggle('fans'), shown: 'U', help: 'fields of view of the other scanners'},
       {key: 'p', act: toggle('points'), shown: 'P', help: 'points'},
-      {key: 'v', act: toggle('truth'), shown: 'V', help: 'the truth beside what was sent'},
+      {key: 'v', act: toggle('truth'), shown: 'V', help: 'ground truth'},
       {key: 'e', act: toggle('echoes'), shown: 'E', help: 'all echoes'},
-      {key: 'x', act: toggle('through'), shown: 'X', help: 'through walls'},
+      {key: 'x', act: toggle('through'), shown: 'X', help: 'show hidden points through walls'},
       {key: 'g', act: toggle('grid'), shown: 'G', help: 'grid and axes'},
-      {key: 'c', act: nextPaint, shown: 'C', help: 'the next colours of points'},
+      {key: 'c', act: nextPaint, shown: 'C', help: 'next colouring of points'},
       {key: 'o', act: () => edits.addShape('box'), shown: 'O',
-        help: 'add a box where the pointer is; with Shift: a cylinder'},
+        help: 'add a box at the pointer; with Shift: a cylinder'},
       {key: 'shift+o', act: () => edits.addShape('cylinder')},
       {key: 'm', act: () => addDialog.choose(), shown: 'M', help: 'add a mesh from a file'},
       {key: 'delete', act: () => edits.remove(selection.thing), shown: 'Delete', help: 'delete the selected model'},
       {key: 'ctrl+z', act: () => undo.undo(), shown: 'Ctrl+Z', help: 'undo'},
-      {key: 'i', act: toggle('inspect'), shown: 'I', help: 'inspect what the pointer is on'},
-      {key: 'y', act: () => tape.toggle(), shown: 'Y', help: 'measure from one place to another'},
-      {key: 'h', act: () => past.toggle(), shown: 'H', help: 'stand still, or go on'},
-      {key: ',', act: () => past.step(-1), shown: ', .', help: 'one scan back, one on, of the last minute'},
+      {key: 'i', act: toggle('inspect'), shown: 'I', help: 'inspect at the pointer: on, off'},
+      {key: 'y', act: () => tape.toggle(), shown: 'Y', help: 'measure a distance'},
+      {key: 'h', act: () => past.toggle(), shown: 'H', help: 'freeze and rewind, or return to live'},
+      {key: ',', act: () => past.step(-1), shown: ', .', help: 'one scan back or forward, within the last minute'},
       {key: '.', act: () => past.step(1)},
-      {key: 'escape', act: () => this.release(), shown: 'Esc', help: 'select, inspect, measure and place nothing'},
+      {key: 'escape', act: () => this.release(), shown: 'Esc', help: 'cancel / deselect'},
       ...this.panelKeys(),
-      {key: 'shift+?', act: () => this.help(), shown: '?', help: 'these keys'},
+      {key: 'shift+?', act: () => this.help(), shown: '?', help: 'this list'},
       {key: '?', act: () => this.help()},
     ];
   }
@@ -112,6 +112,7 @@ export class Keys {
   }
 }
 
+/** Keys with blanks between them; a dash stands for those between two keys. */
 function kbd(shown) {
-  return shown.split(/(, | – | )/).map((part) => /^(, | – | )$/.test(part) ? part : make('kbd', {}, part));
+  return shown.split(/( )/).map((part) => /^[ –]$/.test(part) ? part : make('kbd', {}, part));
 }

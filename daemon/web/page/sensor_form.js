@@ -37,8 +37,11 @@ export class SensorForm {
     if (byId('sensor-model').options.length) return;
     try {
       const models = await this.server.get('/sensors/models');
+      this.models = new Map(models.map((model) => [model.name, model]));
       byId('sensor-model').append(...models.map((model) => make('option', {value: model.name}, textOf(model))));
+      byId('sensor-model').addEventListener('change', () => this.tellModel());
       byId('sensor-model').value = models.find(({name}) => name.startsWith('UST-10LX@'))?.name || models[0].name;
+      this.tellModel();
     } catch (error) {
       this.tellTrouble(error.message);
     }
@@ -52,6 +55,11 @@ export class SensorForm {
 
   update() {
     byId('sensor-pose').hidden = !this.isNew;
+  }
+
+  tellModel() {
+    const {steps, rate_hz, links} = this.models.get(byId('sensor-model').value);
+    tell(byId('sensor-facts'), `${steps} steps, ${Number(rate_hz.toFixed(1))} Hz, ${links}`);
   }
 
   tellTrouble(text) {
@@ -90,8 +98,8 @@ export class SensorForm {
   }
 }
 
-function textOf({name, range_m: [, most_m], steps, rate_hz, links}) {
-  return `${name}, ${most_m} m, ${steps} steps, ${Number(rate_hz.toFixed(1))} Hz, ${links}`;
+function textOf({name, range_m: [, most_m]}) {
+  return `${name}, ${most_m} m`;
 }
 
 /** Inputs for metres, and degrees of yaw. */
