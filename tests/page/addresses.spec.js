@@ -47,20 +47,19 @@ test('says who can connect where', async () => {
   expect(partsOf('robot.local:1')).toEqual({host: 'robot.local', port: '1'});
 });
 
-test('the only sensor is not offered to be taken away, and Delete tells how a robot goes', async ({page, start}) => {
+test('the last sensor cannot be removed, and Delete tells how a robot is', async ({page, start}) => {
   const daemon = await start();
   await open(page, daemon, '#select=robots:robot');
-  const away = page.getByRole('button', {name: 'Take it away…'});
-  const stays = page.getByText('It is the only sensor, and scipd needs one.').filter({visible: true});
-  await expect(stays).toHaveCount(1);
-  await expect(away).toHaveCount(0);
+  const remove = page.getByRole('button', {name: 'Remove sensor…'});
+  await expect(remove).toBeDisabled();
+  await expect(remove).toHaveAttribute('title', 'The last sensor cannot be removed');
   await page.locator('#canvas').press('Delete');
   await expect(page.locator('#notices')).toContainText('robot is the only robot, and scipd needs one.');
   await daemon.post('/sensors', {name: 'second/scanner', model: 'UST-10LX', tcp: '127.0.0.1:0'});
-  await expect(away).toHaveCount(2);
-  await expect(stays).toHaveCount(0);
+  await expect(remove).toHaveCount(2);
+  for (const each of [0, 1]) await expect(remove.nth(each)).toBeEnabled();
   await page.locator('#canvas').press('Delete');
-  await expect(page.locator('#notices')).toContainText('robot is a robot, which goes with its last sensor.');
+  await expect(page.locator('#notices')).toContainText('robot is a robot, which is removed with its last sensor.');
   await page.locator('#canvas').press('Escape');
   await page.locator('#canvas').press('Delete');
   await expect(page.locator('#notices')).toContainText('Nothing is selected.');

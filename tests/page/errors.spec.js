@@ -11,7 +11,7 @@ test('changes how well a scanner reads', async ({page, start, complaints}) => {
   const [{name}] = await daemon.get('/sensors');
   const errors = async () => (await daemon.get(`/sensors/${name}`)).errors;
   const card = page.locator('.card.sensor').first();
-  await card.getByText('How well it reads').click();
+  await card.getByText('Accuracy and noise').click();
   await card.getByLabel('Accuracy').selectOption('ideal');
   await expect.poll(errors).toMatchObject({accuracy: 'ideal', noise: 1});
   await card.getByLabel('Noise').fill('3');

@@ -75,6 +75,45 @@ test('one scale is for the scans of all', async ({page, start}, info) => {
   }
 });
 
+test('the legend names thirty scanners, each in its colour, and a click selects one', async ({page, start}, info) => {
+  const daemon = await start(rig(info, 10));
+  const names = (await daemon.get('/sensors')).map(({name}) => name);
+  expect(names.length).toBe(30);
+  await open(page, daemon, `#show=${names.join()}`);
+  await withScan(page);
+  const entries = page.locator('#legend .entry');
+  await expect(entries).toHaveCount(30);
+  const seen = await entries.evaluateAll((list) => list.map((entry) =>
+    [entry.dataset.name, getComputedStyle(entry.querySelector('.swatch')).backgroundColor]));
+  expect(seen.map(([name]) => name).sort()).toEqual([...names].sort());
+  expect(new Set(seen.map(([, colour]) => colour)).size).toBe(30);
+  // One line for each robot.
+  const rows = await page.locator('#legend li').evaluateAll((list) => list.map((row) => [row.firstChild.textContent,
+    new Set([...row.querySelectorAll('.entry')].map((entry) => entry.getBoundingClientRect().top)).size]));
+  expect(rows.sort()).toEqual(Array.from({length: 10}, (_, i) => [`robot${i}`, 1]));
+  const last = page.locator('#legend').getByTitle('Select robot9/right');
+  await last.click();
+  await expect(last).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.locator('#sensors .chosen')).toContainText('robot9/right');
+});
+
+test('latency has ticks at round numbers, and none without a client', async ({page, start}) => {
+  const daemon = await start();
+  await open(page, daemon);
+  await withScan(page);
+  const facts = page.locator('#sensors .facts');
+  await expect(facts).toContainText('tty');
+  await expect(facts.getByText('Latency')).toBeHidden();
+  const scip = await Scip.connect(daemon.port);
+  scip.say('MD0000108000000');
+  await expect(facts.getByText(/^median [\d.]+ ms, 99th pct [\d.]+ ms, max [\d.]+ ms$/)).toBeVisible();
+  const ticks = page.locator('.histogram .tick');
+  await expect(ticks).not.toHaveCount(0);
+  for (const text of await ticks.allTextContents()) expect(text).toMatch(/^[125]0{0,2} (µs|ms)$/);
+  scip.close();
+  await expect(page.locator('.histogram')).toBeHidden();
+});
+
 test('many scanners are rows, which one finds and ticks together', async ({page, start}, info) => {
   const daemon = await start(rig(info, 3));
   await open(page, daemon, '#show=');
@@ -106,14 +145,14 @@ test('a scanner comes with a new robot, and goes', async ({page, start, complain
   await form.getByLabel('Name', {exact: true}).fill('rear');
   await form.getByLabel('Model').selectOption('URG-04LX@3.3.00');
   await form.getByLabel('TCP').fill(`127.0.0.1:${daemon.port}`);
-  await form.getByRole('button', {name: 'Add it'}).click();
+  await form.getByRole('button', {name: 'Add'}).click();
   await expect(form.getByRole('alert')).toContainText('cannot listen');
   complaints.length = 0;
   await form.getByRole('combobox', {name: 'Robot'}).fill('second');
   await form.locator('#sensor-pose').getByLabel('x').fill('2');
   await form.locator('#sensor-mount').getByLabel('z').fill('0.5');
   await form.getByLabel('TCP').fill('127.0.0.1:0');
-  await form.getByRole('button', {name: 'Add it'}).click();
+  await form.getByRole('button', {name: 'Add'}).click();
   const card = page.locator('#sensors .sensor').filter({hasText: 'second/rear'});
   await expect(card).toContainText('URG-04LX');
   await expect(card.getByRole('checkbox').first()).toBeChecked();
@@ -126,8 +165,8 @@ test('a scanner comes with a new robot, and goes', async ({page, start, complain
   await page.getByRole('tab', {name: 'World'}).click();
   await expect(page.locator('#things')).toContainText('second');
   await page.getByRole('tab', {name: 'Sensors'}).click();
-  await card.getByRole('button', {name: 'Take it away…'}).click();
-  await page.getByRole('button', {name: 'Take it away', exact: true}).click();
+  await card.getByRole('button', {name: 'Remove sensor…'}).click();
+  await page.locator('#ask-go').click();
   await expect(card).toHaveCount(0);
   await expect(page.locator('#things')).not.toContainText('second');
   await expect(page.locator('#state')).toHaveText('live');

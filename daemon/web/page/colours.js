@@ -24,8 +24,8 @@ const SCANNERS = [
   [0.902, 0.624, 0.000], [0.000, 0.447, 0.698], [0.800, 0.475, 0.655],
   [0.000, 0.620, 0.451], [0.337, 0.706, 0.914], [0.533, 0.133, 0.333],
 ];
-// The next six are darker, and the six after them lighter.
-const SHADES = [[[0, 0, 0], 0], [[0, 0, 0], 0.4], [[1, 1, 1], 0.5]];
+// The next six are darker, the six after them lighter, and so on: thirty differ.
+const SHADES = [[[0, 0, 0], 0], [[0, 0, 0], 0.4], [[1, 1, 1], 0.5], [[0, 0, 0], 0.65], [[1, 1, 1], 0.75]];
 
 // The materials that scipd knows (scenes/materials.yaml), as people know their look.
 const LIBRARY = {

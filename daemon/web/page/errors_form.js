@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How well a scanner reads, in its card: whoever changes something here changes it at once, and the scanner's clients
-// go on. What the daemon says holds.
+// The accuracy and the noise of a scanner, in its card. A change applies at once, and the scanner's clients go on; the
+// daemon's answer is what is shown.
 import {make} from './elements.js';
 import {at} from './server.js';
 
@@ -18,11 +18,11 @@ export class ErrorsForm {
     this.interference = make('input', {type: 'checkbox',
       on: {change: () => this.send({interference: this.interference.checked})}});
     this.element = make('details', {class: 'errors', hidden: true},
-      make('summary', {}, 'How well it reads'),
-      this.field('Accuracy', this.accuracy, 'ideal, by the range alone, or by the light that comes back'),
-      this.field('Noise ×', this.noise, 'so many times the noise of the model'),
-      this.field('Bias', this.bias, 'what it reads too far: as this unit does, or nothing'),
-      make('label', {class: 'check', title: 'Other scanners disturb it where the two look at each other'},
+      make('summary', {}, 'Accuracy and noise'),
+      this.field('Accuracy', this.accuracy, 'ideal: no errors; sensor: by the range; material: by the returned light'),
+      this.field('Noise ×', this.noise, 'noise scale factor relative to the model'),
+      this.field('Bias', this.bias, 'range bias: that of this unit, or none'),
+      make('label', {class: 'check', title: 'Disturbance by scanners that face this one'},
         this.interference, make('span', {}, 'Interference')));
   }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What the colours of the points mean now.
+// The meaning of the colours of points. All sensors that are shown are listed, by robot if they are many; a click
+// selects one.
 import {byId, make, tell} from './elements.js';
 import {SHAPES} from './material_looks.js';
 import {css, gradient} from './colours.js';
 
 const BETWEEN_MS = 250;
 const MOST_NAMES = 18;
+// More sensors than this are listed by robot.
+const MOST_ROWS = 6;
 
 export class Legend {
   constructor({scans, settings}) {
@@ -39,16 +42,43 @@ export class Legend {
     tell(this.high, high);
   }
 
-  updateNames({names, most = MOST_NAMES}) {
-    const key = JSON.stringify(names);
+  updateNames({names, ofSensors}) {
+    const key = JSON.stringify([names, ofSensors && this.settings.get('sensor')]);
     if (key === this.named) return;
     this.named = key;
-    const rows = names.slice(0, most).map(({name, colour, shape = 0}) => {
-      const swatch = make('span', {class: `swatch ${SHAPES[shape]}`});
-      swatch.style.background = css(colour);
-      return make('li', {}, swatch, make('span', {}, String(name)));
-    });
-    if (names.length > most) rows.push(make('li', {class: 'dim'}, `and ${names.length - most} more`));
-    this.names.replaceChildren(...rows);
+    this.names.replaceChildren(...(ofSensors ? this.sensorRows(names) : nameRows(names)));
   }
+
+  sensorRows(sensors) {
+    if (sensors.length <= MOST_ROWS) {
+      return sensors.map((each) => make('li', {}, this.sensorButton(each, each.name)));
+    }
+    const robots = new Map();
+    for (const each of sensors) {
+      const [robot, ...rest] = each.name.split('/');
+      robots.set(robot, [...robots.get(robot) || [], this.sensorButton(each, rest.join('/'))]);
+    }
+    return [...robots].map(([robot, buttons]) =>
+      make('li', {class: 'robot'}, make('span', {class: 'dim'}, robot), ...buttons));
+  }
+
+  sensorButton({name, colour}, text) {
+    const {settings} = this;
+    return make('button', {class: 'entry', title: `Select ${name}`, 'data-name': name,
+      'aria-pressed': String(settings.get('sensor') === name), on: {click: () => settings.set('sensor', name)}},
+    swatchOf(colour), make('span', {}, text));
+  }
+}
+
+function nameRows(names) {
+  const rows = names.slice(0, MOST_NAMES).map(({name, colour, shape}) =>
+    make('li', {'data-name': name}, swatchOf(colour, shape), make('span', {}, String(name))));
+  const more = `and ${names.length - MOST_NAMES} more`;
+  return names.length > MOST_NAMES ? [...rows, make('li', {class: 'dim', 'data-name': more}, more)] : rows;
+}
+
+function swatchOf(colour, shape = 0) {
+  const swatch = make('span', {class: `swatch ${SHAPES[shape]}`});
+  swatch.style.background = css(colour);
+  return swatch;
 }

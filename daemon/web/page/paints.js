@@ -8,7 +8,7 @@ import {objectOf, returnedMaterial, returnedRange, sentRange} from './scan_shape
 
 export const PAINTS = [
   ['auto', 'Range or sensor'], ['intensity', 'Intensity'], ['material', 'Material'], ['object', 'Object'],
-  ['error', 'Error, sent − returned'], ['range', 'Range'], ['sensor', 'Sensor'],
+  ['error', 'Range error'], ['range', 'Range'], ['sensor', 'Sensor'],
 ];
 const PLAIN = [0.2, 0.75, 1];
 const NONE = [0.6, 0.6, 0.6];
@@ -49,7 +49,7 @@ function byIntensity(scans) {
   const title = 'Intensity';
   const telling = scans.filter(({arrays}) => arrays.intensity?.length);
   if (!telling.length) {
-    return {colourOf: () => PLAIN, legend: {title, names: [{name: 'no sensor tells it', colour: PLAIN}]}};
+    return {colourOf: () => PLAIN, legend: {title, names: [{name: 'no sensor sends it', colour: PLAIN}]}};
   }
   const value = (scan, i) => Math.log(Math.max(scan.arrays.intensity[i], 1));
   const [low, high] = usual(sorted(telling, (scan, i) => sentRange(scan, i) > 0 ? value(scan, i) : NaN));
@@ -98,8 +98,7 @@ function byObject(scans, {nameOfObject}) {
 function bySensor(scans, {colourOfSensor}) {
   const colourOf = new Map(scans.map(({sensor}) => [sensor, colourOfSensor(sensor)]));
   const names = [...colourOf].map(([name, colour]) => ({name, colour}));
-  // The panel Sensors has them all.
-  return {colourOf: (scan) => colourOf.get(scan.sensor), legend: {title: 'Sensor', names, most: 5}};
+  return {colourOf: (scan) => colourOf.get(scan.sensor), legend: {title: 'Sensor', names, ofSensors: true}};
 }
 
 function byError(scans) {

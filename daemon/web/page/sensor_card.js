@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How one sensor is doing, and whether one sees its scans. Among many it is a row until it is chosen.
+// The state of one sensor, and the check box that shows its scans. Among many sensors it is a row until it is chosen.
 import {ErrorsForm} from './errors_form.js';
 import {reach, usable} from './addresses.js';
 import {css} from './colours.js';
@@ -20,7 +20,7 @@ export class SensorCard {
     this.errors = new ErrorsForm(name, panel);
     this.box = make('input', {type: 'checkbox', 'aria-label': `Show the scans of ${name}`});
     this.box.addEventListener('change', () => scans.show(name, this.box.checked));
-    this.title = make('button', {class: 'name', title: 'Choose it for the other panels',
+    this.title = make('button', {class: 'name', title: 'Select it for the other panels',
       on: {click: () => settings.set('sensor', name)}}, name);
     this.swatch = make('span', {class: 'swatch circle'});
     this.state = make('span', {class: 'chip'});
@@ -30,20 +30,19 @@ export class SensorCard {
     this.facts = make('dl', {class: 'facts'});
     this.values = new Map();
     this.warning = make('p', {class: 'warning', hidden: true});
-    this.late = make('div');
+    this.latency = make('div');
     this.picture = make('canvas', {class: 'picture', hidden: true});
-    this.away = make('button', {class: 'danger', on: {click: () => this.remove()}}, 'Take it away…');
-    this.stays = make('p', {class: 'dim small'}, 'It is the only sensor, and scipd needs one.');
+    this.away = make('button', {class: 'danger', on: {click: () => this.remove()}}, 'Remove sensor…');
     this.element = make('section', {class: 'card sensor'},
       make('div', {class: 'row'}, this.box, this.swatch, this.title, this.faults, this.state),
       this.brief, make('div', {class: 'whole'},
-        this.model, this.warning, this.facts, this.errors.element, this.picture, this.late,
-        this.away, this.stays));
+        this.model, this.warning, this.facts, this.errors.element, this.picture, this.latency,
+        this.away));
   }
 
   async remove() {
-    const why = 'Its clients lose it. Its robot goes with its last sensor. This cannot be undone.';
-    if (!await ask(`Take ${this.name} away?`, why, 'Take it away')) return;
+    const why = 'Its clients are disconnected. A robot is removed with its last sensor. This cannot be undone.';
+    if (!await ask(`Remove ${this.name}?`, why, 'Remove')) return;
     try {
       await this.server.remove(at('/sensors/', this.name));
       await this.status.ask();
@@ -66,10 +65,9 @@ export class SensorCard {
     tell(this.warning, sensor.warning || '');
     for (const [label, value, title] of this.factsOf(sensor)) this.fact(label, value, title);
     this.errors.update(sensor.errors);
-    const isOnly = this.status.sensors.length === 1;
-    this.away.hidden = isOnly;
-    this.stays.hidden = !isOnly;
-    this.updateLateness(sensor);
+    this.away.disabled = this.status.sensors.length === 1;
+    this.away.title = this.away.disabled ? 'The last sensor cannot be removed' : '';
+    this.updateLatency(sensor);
     this.updatePicture();
   }
 
@@ -80,7 +78,7 @@ export class SensorCard {
     if (kinds.join() === this.acting) return;
     this.acting = kinds.join();
     this.faults.replaceChildren(...kinds.map((kind) =>
-      make('span', {class: 'chip bad', title: `The fault ${kind} acts`}, kind)));
+      make('span', {class: 'chip bad', title: `Fault ${kind} is active`}, kind)));
   }
 
   get sentRate() {
@@ -95,13 +93,13 @@ export class SensorCard {
   factsOf(sensor) {
     const {p50, p99, max} = sensor.lateness_ms;
     return [
-      ['Clients', sensor.clients, 'that are connected now'],
-      ['Rate', sensor.clients ? this.sentRate : '–', 'scans that go to drivers in a second'],
-      ['Lost', sensor.lost, 'scans that a driver did not get'],
-      ['Cast', hertz(this.status.rates.scans.get(this.name)), 'scans that are cast in a second, for drivers and pages'],
+      ['Clients', sensor.clients, 'connected now'],
+      ['Rate', sensor.clients ? this.sentRate : '–', 'scans per second to drivers'],
+      ['Lost', sensor.lost, 'scans that a driver missed'],
+      ['Cast', hertz(this.status.rates.scans.get(this.name)), 'scans cast per second, for drivers and pages'],
       ['TCP', sensor.tcp ? usable(sensor.tcp) : 'none', sensor.tcp && reach(sensor.tcp)],
       ['tty', sensor.pty || 'none'],
-      ['Late', `${ms(p50)}, 99 %: ${ms(p99)}, most: ${ms(max)}`, 'how long after its time a scan left'],
+      ['Latency', `median ${ms(p50)}, 99th pct ${ms(p99)}, max ${ms(max)}`, 'delay of scans after their due time'],
     ];
   }
 
@@ -114,11 +112,13 @@ export class SensorCard {
     tell(this.values.get(label), String(value));
   }
 
-  updateLateness({lateness_histogram: lateness}) {
+  /** Hidden while there is no client, since no scan leaves then. */
+  updateLatency({clients, lateness_histogram: lateness}) {
+    this.latency.hidden = this.values.get('Latency').parentElement.hidden = clients === 0;
     const key = JSON.stringify(lateness);
     if (!lateness || key === this.drawn) return;
     this.drawn = key;
-    this.late.replaceChildren(histogram(lateness));
+    this.latency.replaceChildren(histogram(lateness));
   }
 
   updatePicture() {

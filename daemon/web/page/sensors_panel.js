@@ -22,7 +22,7 @@ export class SensorsPanel {
     this.counted = make('span', {class: 'dim'});
     byId('drawing').append(...this.choices());
     byId('sensors').before(make('div', {class: 'row sensor-tools'},
-      make('label', {class: 'check', title: 'Show the scans of all that are listed, or of none'},
+      make('label', {class: 'check', title: 'Show or hide the scans of all listed sensors'},
         this.all, make('span', {}, 'All')),
       this.counted, this.search));
     status.addEventListener('changed', () => this.update());
@@ -36,13 +36,13 @@ export class SensorsPanel {
       boundSelect(settings, 'paint', 'Colour of points', PAINTS),
       boundSelect(settings, 'trail_s', 'Trail', CHOICES.trail_s.map((each) => [each, each ? `${each} s` : 'none'])),
       make('div', {class: 'checks'},
-        boundCheckbox(settings, 'rays', 'Rays', 'Of the chosen sensor, green to what they meet (R)'),
-        boundCheckbox(settings, 'behind', 'Red behind', 'Rays go on in red, as far as the scanner sees'),
-        boundCheckbox(settings, 'fans', 'Fans', 'What the other scanners look over (U)'),
-        boundCheckbox(settings, 'points', 'Points', 'What the scanner sent (P)'),
-        boundCheckbox(settings, 'truth', 'True beside sent', 'White: where the beam really met something (V)'),
+        boundCheckbox(settings, 'rays', 'Rays', 'Of the selected sensor, green up to the hit (R)'),
+        boundCheckbox(settings, 'behind', 'Continue rays (red)', 'From the hit to the maximum range, in red'),
+        boundCheckbox(settings, 'fans', 'Fields of view', 'Of the other scanners (U)'),
+        boundCheckbox(settings, 'points', 'Points', 'Ranges that the scanner sent (P)'),
+        boundCheckbox(settings, 'truth', 'Ground truth', 'White: the true hit of each beam (V)'),
         boundCheckbox(settings, 'echoes', 'All echoes', 'Second and third echoes (E)'),
-        boundCheckbox(settings, 'through', 'Through walls', 'What is hidden shows faintly (X)')),
+        boundCheckbox(settings, 'through', 'Through walls', 'Hidden points and rays show faintly (X)')),
     ];
   }
 

@@ -55,8 +55,8 @@ function legendOnScreen() {
     const [low, high] = [...legend.querySelectorAll('.ends span')].map((end) => end.textContent);
     return {title, stops: bar.style.background.match(/rgb\([^)]*\)/g), low, high};
   }
-  const names = [...legend.querySelectorAll('li')].map((row) => ({
-    name: row.textContent, colour: row.querySelector('.swatch')?.style.background}));
+  const names = [...legend.querySelectorAll('[data-name]')].map((entry) => ({
+    name: entry.dataset.name, colour: entry.querySelector('.swatch')?.style.background}));
   return {title, names};
 }
 
