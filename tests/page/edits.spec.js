@@ -30,7 +30,7 @@ test('a mesh file that is added is seen by the scanner, and so is its material',
   await page.dispatchEvent('#view', 'drop', {dataTransfer: dropped, clientX, clientY});
   await page.locator('#add-unit').selectOption('0.001');
   await page.locator('#add-material').selectOption('wood');
-  await page.getByRole('button', {name: 'Add it'}).click();
+  await page.locator('#add-form').getByRole('button', {name: 'Add'}).click();
   await expect(page.locator('#selected-name')).toHaveText('plate');
   await near(() => ahead(daemon), 1.5, 0.05);
   const material = async () => (await daemon.get('/sensors/robot/scanner/truth')).material[FRONT];
@@ -66,7 +66,7 @@ test('a model of the world that was deleted comes back as it was', async ({page,
   await expect(page.locator('#selected-name')).toHaveText(movable.model);
   await page.getByRole('button', {name: 'Unlock', exact: true}).click();
   await page.locator('#canvas').press('Delete');
-  await page.getByRole('button', {name: 'Delete it'}).click();
+  await page.locator('#ask-go').click();
   await expect.poll(async () => (await objects()).some(({model}) => model === movable.model)).toBe(false);
   const without = await scan();
   expect(without.filter((mm, i) => Math.abs(mm - before[i]) > 5).length).toBeGreaterThan(5);
@@ -129,10 +129,10 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
   await page.getByRole('button', {name: 'Unlock', exact: true}).click();
   await page.locator('#canvas').press('Delete');
   await expect(page.locator('#ask-dialog')).toContainText('http_body_bytes');
-  await page.getByRole('button', {name: 'Keep it'}).click();
+  await page.locator('#ask-dialog').getByRole('button', {name: 'Cancel'}).click();
   expect(await models()).toEqual(atFirst);
   await page.locator('#canvas').press('Delete');
-  await page.getByRole('button', {name: 'Delete it'}).click();
+  await page.locator('#ask-go').click();
   await expect.poll(models).toEqual(atFirst.filter((name) => name !== 'box'));
   await expect(page.locator('#notices')).toContainText('box is gone.');
   await page.locator('#canvas').press('Control+z');
@@ -154,10 +154,10 @@ test('a model of the world is deleted only once it is unlocked, and a large one 
     await expect(page.getByRole('button', {name: 'Unlock all'})).toBeHidden();
     await page.locator('#canvas').press('Delete');
     await expect(page.locator('#ask-dialog')).toContainText('It is larger than the robot: 6.');
-    await page.getByRole('button', {name: 'Keep it'}).click();
+    await page.locator('#ask-dialog').getByRole('button', {name: 'Cancel'}).click();
     expect(await models()).toEqual(atFirst);
     await page.locator('#canvas').press('Delete');
-    await page.getByRole('button', {name: 'Delete it'}).click();
+    await page.locator('#ask-go').click();
     await expect.poll(models).not.toContain('room');
     await page.locator('#canvas').press('Control+z');
     await expect.poll(models).toContain('room');
@@ -195,6 +195,28 @@ test('a box stands where the pointer is, and its handles make it larger', async 
   await page.keyboard.press('Escape');
   for (let i = 0; i < 2; ++i) await page.locator('#canvas').press('Control+z');
   await near(() => ahead(daemon), 1.25, 0.03);
+});
+
+test('the card of what is inspected covers no handle', async ({page, start}) => {
+  const daemon = await start(room());
+  await open(page, daemon, hash(EYE, AT));
+  await withScan(page);
+  const project = lookFrom(EYE, AT, await page.locator('#canvas').boundingBox());
+  const middle = project([0.5, 0, 0]);
+  await page.mouse.move(middle.x, middle.y);
+  await page.keyboard.press('o');
+  await expect(page.locator('#selected-name')).toHaveText('box 2');
+  const grips = [[0.75, 0, 0.25], [0.25, 0, 0.25], [0.5, 0.25, 0.25], [0.5, -0.25, 0.25], [0.5, 0, 0.5]].map(project);
+  for (const place of [[0.5, 0, 0.5], [0.3, 0.2, 0.5], [0.7, -0.2, 0.5], [0.1, 0.3, 0], [0.1, -0.1, 0], [1, 0.1, 0]]) {
+    const {x, y} = project(place);
+    await page.mouse.move(x, y);
+    await expect(page.locator('#reading')).toBeVisible();
+    await expect.poll(async () => {
+      const card = await page.locator('#reading').boundingBox();
+      return grips.filter((grip) => grip.x > card.x && grip.x < card.x + card.width &&
+        grip.y > card.y && grip.y < card.y + card.height).length;
+    }, {message: place.join()}).toBe(0);
+  }
 });
 
 test('a cylinder goes where one clicks', async ({page, start}) => {

@@ -82,11 +82,32 @@ test('what is clicked stays read, through faults and moves', async ({page, start
     name: `${SENSOR}, step ${FRONT}`, Angle: '0.00°', Sent: '3.000 m', True: '3.000 m, error +0 mm'});
   await daemon.post(`/sensors/${SENSOR}/faults`, {kind: 'stick', steps: [500, 580], range_m: 1});
   await expect.poll(async () => (await reading(page)).Sent).toBe('1.000 m');
-  expect((await reading(page)).True).toBe('3.000 m, error −2000 mm');
+  expect(await reading(page)).toMatchObject({True: '3.000 m, error −2000 mm', Fault: 'stick: the readings are stuck'});
   await daemon.put('/robots/robot/pose', {xyz: [0, 0, 0], rpy: [0, 0, Math.PI / 2]});
   await expect.poll(async () => (await reading(page)).True).toBe('2.000 m, error −1000 mm');
   await page.locator('#reading-close').click();
   await expect(page.locator('#reading')).toBeHidden();
+});
+
+test('a beam tells the faults that changed it, and no others', async ({page, start}) => {
+  const daemon = await start(room('0,0,0'));
+  await open(page, daemon, hash([0, -0.001, 9], [0, 0, 0], {panel: 'inspect'}));
+  await withScan(page);
+  const faultAt = async (step) => {
+    await page.locator('#inspect-step').fill(String(step));
+    await page.locator('#inspect-step').press('Enter');
+    await expect(page.locator('#reading-name')).toHaveText(`${SENSOR}, step ${step}`);
+    return (await reading(page)).Fault;
+  };
+  expect(await faultAt(FRONT)).toBe(undefined);
+  await daemon.post(`/sensors/${SENSOR}/faults`, {kind: 'dirty', steps: [FRONT - 20, FRONT], reads: 'near'});
+  await daemon.post(`/sensors/${SENSOR}/faults`, {kind: 'blind', steps: [FRONT, FRONT + 20]});
+  await expect.poll(() => faultAt(FRONT - 1)).toBe('dirty: the window is dirty');
+  await expect.poll(() => faultAt(FRONT + 1)).toBe('blind: the sector is blind');
+  expect((await faultAt(FRONT)).split('; ').sort()).toEqual(['blind: the sector is blind', 'dirty: the window is dirty']);
+  for (const step of [FRONT - 21, FRONT + 21]) expect(await faultAt(step)).toBe(undefined);
+  await daemon.send('DELETE', `/sensors/${SENSOR}/faults`);
+  await expect.poll(() => faultAt(FRONT)).toBe(undefined);
 });
 
 test('a ray tells its echoes, or the code and the cause of none', async ({page, start}, info) => {

@@ -37,12 +37,19 @@ export function sentWords(scan, i) {
   return scan.arrays.sent_mm ? `no range, code ${scan.arrays.sent_mm[i]}` : 'nothing';
 }
 
-/** Why it was read like this; faults come after. */
+/** Why the beam has a range or none, as the sensor measured it. */
 export function causeWords(scan, i) {
   if (!scan.arrays.cause) return null;
   const cause = scan.causes[scan.arrays.cause[i]];
   const isKept = cause === 'measured' && !Number.isFinite(sentRange(scan, i));
-  return isKept ? 'measured, but out of bounds or kept back by a fault' : CAUSES[cause] || cause;
+  return isKept ? 'measured, but out of bounds' : CAUSES[cause] || cause;
+}
+
+/** The faults that changed the reading of a beam, or null. */
+function faultWords(scan, i) {
+  const step = scan.first_step + i;
+  const isChanged = ({steps}) => !steps.length || steps.some(([first, last]) => first <= step && step <= last);
+  return scan.faults?.filter(isChanged).map(({kind, what}) => `${kind}: ${what}`).join('; ') || null;
 }
 
 /** From ahead, counter-clockwise; null of a sensor that is no scanner. */
@@ -88,6 +95,7 @@ export function factsOf(scan, i, nameOf, age_s) {
     ['True', metres(scan.arrays.true_m[i]) + (error ? `, error ${error}` : '')],
     ['Intensity', scan.arrays.intensity?.length ? String(scan.arrays.intensity[i]) : null],
     ['Echoes', echoWords(scan, i)],
+    ['Fault', faultWords(scan, i)],
     ['Cause', causeWords(scan, i)],
     ['Material', materialWords(scan, i)],
     ['Object', objectWords(scan, i, nameOf)],

@@ -169,7 +169,7 @@ export class Edits {
   whyRobotStays({name}) {
     const others = this.status.sensors.some((sensor) => !sensor.name.startsWith(`${name}/`));
     return others
-      ? `${name} is a robot, which goes with its last sensor. Take them away in the panel Sensors.`
+      ? `${name} is a robot, which is removed with its last sensor. Remove its sensors in the panel Sensors.`
       : `${name} is the only robot, and scipd needs one.`;
   }
 
@@ -194,7 +194,7 @@ export class Edits {
   askForGood(recipe) {
     return ask(`Delete ${recipe.name} for good?`,
       `It cannot be brought back: its faces take ${megabytes(sizeOf(recipe))}, and http_body_bytes under limits in ` +
-      `the configuration allows ${megabytes(this.world.limits.http_body_bytes)}.`, 'Delete it');
+      `the configuration allows ${megabytes(this.world.limits.http_body_bytes)}.`, 'Delete');
   }
 
   /** Once of each model of the world that is larger than a robot. */
@@ -203,7 +203,7 @@ export class Edits {
     const size = sizeAround(this.world.boxOf((object) => within(object.model, name)));
     if (Math.max(...size) <= this.robotSize_m()) return true;
     const goes = await ask(`Delete ${name}?`,
-      `It is larger than the robot: ${size.map((each_m) => each_m.toFixed(1)).join(' × ')} m.`, 'Delete it');
+      `It is larger than the robot: ${size.map((each_m) => each_m.toFixed(1)).join(' × ')} m.`, 'Delete');
     if (goes) this.asked.add(name);
     return goes;
   }

@@ -67,6 +67,12 @@ export class Handles {
     this.group.updateMatrixWorld();
   }
 
+  /** [{place, radius_px}] of the handles that are seen. */
+  places() {
+    return this.group.visible ? this.grips.filter((grip) => grip.visible)
+      .map(({position}) => ({place: position, radius_px: GRIP_PX / 2})) : [];
+  }
+
   /** The handle under the pointer, or null. */
   under(event) {
     if (!this.group.visible) return null;

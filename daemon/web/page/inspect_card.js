@@ -17,8 +17,8 @@ const MARK_PX = 10;
 const OTHERS = ['timeline', 'selected', 'notices', 'legend'];
 
 export class InspectCard {
-  constructor({stage, scans, settings, world, inspection, pointed, past}) {
-    Object.assign(this, {stage, scans, settings, world, inspection, pointed, past});
+  constructor({stage, scans, settings, world, inspection, pointed, past, handles, ring}) {
+    Object.assign(this, {stage, scans, settings, world, inspection, pointed, past, handles, ring});
     this.card = byId('reading');
     this.pace = new Pace(BETWEEN_MS, () => this.tellFacts());
     this.point = new PointMarks(10, {rim_px: 3, order: 6});
@@ -118,6 +118,16 @@ export class InspectCard {
     facts.forEach(([, text], k) => tell(list.children[k].lastChild, text));
   }
 
+  /** On the page, around the handles and the ring of the selected thing. */
+  gripBoxes(view) {
+    return [...this.handles.places(), ...this.ring.places()].flatMap(({place, radius_px}) => {
+      const at = this.pointed.project(place);
+      if (!at) return [];
+      const [x, y] = [view.left + at.x, view.top + at.y];
+      return [{left: x - radius_px, right: x + radius_px, top: y - radius_px, bottom: y + radius_px}];
+    });
+  }
+
   /** Beside the place, on the side that has room, and over nothing else as far as can be. */
   moveTo({x, y}) {
     const view = this.stage.canvas.getBoundingClientRect();
@@ -127,7 +137,7 @@ export class InspectCard {
     const wanted = {left: isRight ? at.x + AWAY_PX : at.x - AWAY_PX - width, top: at.y + AWAY_PX};
     const mark = {left: at.x - MARK_PX, right: at.x + MARK_PX, top: at.y - MARK_PX, bottom: at.y + MARK_PX};
     const others = OTHERS.map(byId).filter((each) => each.checkVisibility());
-    const taken = [mark, ...others.map((each) => each.getBoundingClientRect())];
+    const taken = [mark, ...others.map((each) => each.getBoundingClientRect()), ...this.gripBoxes(view)];
     const {left, top} = freePlace(wanted, {width, height}, view, taken);
     this.card.style.left = `${left - view.left}px`;
     this.card.style.top = `${top - view.top}px`;

@@ -43,6 +43,13 @@ export class Ring {
     this.group.updateMatrixWorld();
   }
 
+  /** [{place, radius_px}] of the ring, if it is seen. */
+  places() {
+    const {position, scale} = this.group;
+    return this.group.visible
+      ? [{place: position, radius_px: 1.2 * scale.x / this.viewpoint.metresPerPixelAt(position)}] : [];
+  }
+
   under(event) {
     if (!this.group.visible) return null;
     this.selection.aim(event);
