@@ -6,7 +6,7 @@ import {readdirSync, writeFileSync} from 'node:fs';
 import path from 'node:path';
 import {SENSOR, expect, open, test} from './page.js';
 import {Scip} from './scip.js';
-import {room} from './room.js';
+import {ahead, room} from './room.js';
 import {run, scene} from './daemon.js';
 import {poorContrasts, withoutName} from './readable.js';
 
@@ -82,12 +82,12 @@ test('meshes are saved with their world, and all scanners with theirs', async ({
 test('fog is seen once scanners see the light', async ({page, start, complaints}) => {
   const daemon = await start(room());
   await open(page, daemon, '#panel=world');
-  await page.getByText('The air:').click();
+  await page.getByText('Fog, rain, dust:').click();
   await page.getByRole('button', {name: 'Add fog'}).click();
   await expect(page.locator('#notices')).toContainText('material');
   await page.locator('#air-accuracy').selectOption('material');
   await expect.poll(async () => (await daemon.get(`/sensors/${SENSOR}`)).errors.accuracy).toBe('material');
-  const visibility = page.getByLabel('fog: how far people see, in m');
+  const visibility = page.getByLabel('fog: visibility, in m');
   await expect(visibility).toBeVisible();
   expect(await page.evaluate(poorContrasts)).toEqual([]);
   expect(await page.evaluate(withoutName)).toEqual([]);
@@ -98,30 +98,54 @@ test('fog is seen once scanners see the light', async ({page, start, complaints}
   await expect.poll(async () => (await scan(daemon))[540]).toBeLessThan(3500);
   await visibility.fill('0.1');
   await visibility.press('Enter');
-  await expect(page.locator('#notices')).toContainText('The air stays as it is');
+  await expect(page.locator('#notices')).toContainText('The air is unchanged');
   await expect(visibility).toHaveValue('1');
   for (const text of complaints.splice(0)) expect(text).toMatch(/400.*media/);
   await page.getByRole('button', {name: 'Add fog'}).click();
   await expect.poll(async () => (await daemon.get('/scene/media')).map(({kind}) => kind)).toEqual(['fog', 'dust']);
   await page.getByRole('button', {name: 'Remove dust'}).click();
   await page.getByRole('button', {name: 'Remove fog'}).click();
-  await expect(page.locator('#air-state')).toHaveText('clear');
+  await expect(page.locator('#air-state')).toHaveText('none');
   await expect.poll(async () => Math.abs((await scan(daemon))[540] - 4000)).toBeLessThan(100);
+});
+
+test('a robot outside of a newly loaded world is told, and brought in', async ({page, start}) => {
+  const daemon = await start(['--pose', '12,12,0.5', '--accuracy', 'ideal']);
+  await open(page, daemon, '#panel=world');
+  await daemon.put('/scene', {file: scene('square_room.sdf')});
+  const notice = page.locator('.notice').filter({hasText: 'robot is outside of this world.'});
+  await notice.getByRole('button', {name: 'Bring it in'}).click();
+  await expect(notice).toHaveCount(0);
+  const pose = () => daemon.get('/robots/robot/pose');
+  // The room is 6 m by 4 m around the origin.
+  await expect.poll(async () => Math.abs((await pose()).xyz[0])).toBeLessThan(3);
+  expect(Math.abs((await pose()).xyz[1])).toBeLessThan(2);
+  expect((await pose()).xyz[2]).toBeCloseTo(0, 2);
+  await expect.poll(() => ahead(daemon)).toBeLessThan(6);
+  expect(Math.min(...(await scan(daemon)).filter((mm) => mm > 20))).toBeGreaterThan(400);
+  await page.locator('#canvas').press('Control+z');
+  await expect.poll(async () => (await pose()).xyz[0]).toBeCloseTo(12, 5);
+  // A robot inside is not told of.
+  await daemon.put('/robots/robot/pose', {xyz: [1, 1, 0]});
+  await daemon.put('/scene', {file: scene('rescue_maze.sdf')});
+  await expect(page.locator('#world-name')).toHaveText('rescue_maze.sdf');
+  await page.waitForTimeout(1000);
+  await expect(page.locator('.notice').filter({hasText: 'outside'})).toHaveCount(0);
 });
 
 test('another world is loaded, after a question if this one was changed', async ({page, start, complaints}) => {
   const daemon = await start(room());
   await open(page, daemon, '#panel=world');
-  await page.getByText('Another world').click();
+  await page.getByText('Load another world').click();
   await page.locator('#world-file').fill('nowhere.sdf');
-  await page.getByRole('button', {name: 'Load it'}).click();
+  await page.locator('#world-form').getByRole('button', {name: 'Load'}).click();
   await expect(page.locator('#notices')).toContainText('nowhere.sdf cannot be loaded');
   for (const text of complaints.splice(0)) expect(text).toMatch(/400.*scene/);
   await page.locator('#canvas').press('o');
   await expect(page.locator('#selected-name')).toHaveText('box 2');
   await page.locator('#world-file').fill('corridor.sdf');
-  await page.locator('#world-form').getByRole('button', {name: 'Load it'}).click();
-  await expect(page.locator('#ask-dialog')).toContainText('will be gone');
+  await page.locator('#world-form').getByRole('button', {name: 'Load'}).click();
+  await expect(page.locator('#ask-dialog')).toContainText('will be lost');
   await page.locator('#ask-go').click();
   await expect(page.locator('#world-name')).toHaveText('corridor.sdf');
   await expect.poll(async () => (await daemon.get('/scene')).models.map(({name}) => name)).not.toContain('box 2');

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What fills the air, and how well all scanners read at once: fog, rain, snow and dust matter to those whose accuracy
-// is material. Media that were made elsewhere, with a box or numbers of their own, stay as they are until they are
-// removed.
+// Fog, rain, snow and dust, and the accuracy of all scanners at once: the air affects those whose accuracy is material.
+// Media that were made elsewhere, with a box or numbers of their own, stay as they are until they are removed.
 import {byId, make, tell} from './elements.js';
 import {at} from './server.js';
 
-const VISIBILITY = {member: 'visibility_m', unit: 'm', about: 'how far people see', least: 0.5, most: 100_000};
-const WATER = {member: 'mm_per_hour', unit: 'mm/h', about: 'how much water comes down', least: 0, most: 500};
+const VISIBILITY = {member: 'visibility_m', unit: 'm', about: 'visibility', least: 0.5, most: 100_000};
+const WATER = {member: 'mm_per_hour', unit: 'mm/h', about: 'precipitation', least: 0, most: 500};
 const KINDS = {
   fog: {...VISIBILITY, usual: 20},
   dust: {...VISIBILITY, usual: 30},
@@ -47,14 +46,14 @@ export class AirCard {
       for (const note of notes) this.notices.tell(note);
     } catch (error) {
       this.media = before;
-      this.notices.trouble(`The air stays as it is: ${error.message}`);
+      this.notices.trouble(`The air is unchanged: ${error.message}`);
     }
     await this.refresh();
   }
 
   show(media) {
     this.media = media;
-    tell(byId('air-state'), media.map(({name, kind}) => name ?? kind).join(', ') || 'clear');
+    tell(byId('air-state'), media.map(({name, kind}) => `'${name ?? kind}'`).join(', ') || 'none');
     byId('air').replaceChildren(...media.map((medium, i) => this.row(medium, i)));
   }
 

@@ -45,6 +45,7 @@ import {Settings} from './settings.js';
 import {SharePanel} from './share_panel.js';
 import {Stage} from './stage.js';
 import {Status} from './status.js';
+import {Strays} from './strays.js';
 import {Tabs} from './tabs.js';
 import {Tape} from './tape.js';
 import {Theme} from './theme.js';
@@ -115,6 +116,7 @@ new InspectHand(page);
 new InspectCard(page);
 new InspectPanel(page);
 new Timeline(page);
+new Strays(page);
 new Keys(page);
 
 async function loadWorld() {

@@ -21,14 +21,24 @@ export class Notices {
     this.add(text, 'notice trouble', TROUBLE_STAYS_MS);
   }
 
-  add(text, kind, stays_ms) {
+  /** With a button that does something about it; stays until it is closed. Returns a function that closes it. */
+  offer(text, button, act) {
+    const notice = this.add(text, 'notice trouble', null, make('button', {on: {click: () => {
+      notice.remove();
+      act();
+    }}}, button));
+    return () => notice.remove();
+  }
+
+  add(text, kind, stays_ms, button) {
     for (const old of this.place.children) {
       if (old.firstChild.textContent === text) old.remove();
     }
-    const notice = make('div', {class: kind}, make('span', {}, text), make('button', {
+    const notice = make('div', {class: kind}, make('span', {}, text), button, make('button', {
       class: 'quiet', 'aria-label': 'Close this message', on: {click: () => notice.remove()}}, '×'));
     this.place.append(notice);
     if (this.place.children.length > MOST) this.place.firstChild.remove();
-    setTimeout(() => notice.remove(), stays_ms);
+    if (stays_ms !== null) setTimeout(() => notice.remove(), stays_ms);
+    return notice;
   }
 }

@@ -15,8 +15,8 @@ export class WorldFile {
   }
 
   async load(file) {
-    const why = 'What you have changed in this world will be gone.';
-    if (this.undo.next && !await ask(`Load ${file}?`, why, 'Load it')) return;
+    const why = 'Your changes to this world will be lost.';
+    if (this.undo.next && !await ask(`Load ${file}?`, why, 'Load')) return;
     const button = byId('world-form').querySelector('button');
     button.disabled = true;
     try {

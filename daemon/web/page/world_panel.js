@@ -33,7 +33,7 @@ export class WorldPanel {
   cutSlider() {
     this.cut = make('input', {type: 'range', min: 0, max: 5, step: 0.05, value: 0,
       'aria-label': 'Hide what is higher than'});
-    this.cutText = make('output', {}, 'nothing');
+    this.cutText = make('output', {}, 'off');
     this.cut.addEventListener('input', () => this.settings.set('cut_m', Number(this.cut.value)));
     this.settings.watch('cut_m', () => this.applyCut());
     return make('label', {class: 'field'}, make('span', {}, 'Hide above'),
@@ -44,7 +44,7 @@ export class WorldPanel {
     const height_m = this.settings.get('cut_m');
     this.cut.value = height_m;
     cutAbove(height_m);
-    tell(this.cutText, height_m > 0 ? `${height_m.toFixed(2)} m` : 'nothing');
+    tell(this.cutText, height_m > 0 ? `${height_m.toFixed(2)} m` : 'off');
     this.stage.invalidate();
   }
 
@@ -70,7 +70,7 @@ export class WorldPanel {
   kindOf(thing) {
     if (thing.kind === 'robots') return 'robot';
     if (this.locks.isLocked(thing)) return 'locked';
-    return thing.movable ? 'can be moved' : 'stands still';
+    return thing.movable ? 'movable' : 'static';
   }
 
   locked() {
