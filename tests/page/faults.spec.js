@@ -111,6 +111,34 @@ test('a dirty window hides what stands ahead, and the time bar shows it', async 
   await expect(page.locator('#fault-bar')).toHaveAttribute('aria-label', /dirty acted \d+ times$/);
 });
 
+test('the fault log counts what repeats', async ({page, start}) => {
+  const daemon = await start();
+  await open(page, daemon, '#panel=faults');
+  const faults = [{kind: 'dirty', steps: [500, 580], reads: 'weak', for: {s: 30}}, {kind: 'interference', rate: 0.5}];
+  for (const fault of faults) await daemon.post(`/sensors/${SENSOR}/faults`, fault);
+  const lines = page.locator('#fault-log li');
+  const count = async (kind) => Number((await lines.filter({hasText: kind}).locator('.count').allTextContents())
+    .join().match(/× (\d+)/)?.[1] ?? 0);
+  for (const {kind} of faults) await expect.poll(() => count(kind)).toBeGreaterThan(80);
+  await daemon.send('DELETE', `/sensors/${SENSOR}/faults`);
+  await expect(lines).toHaveCount(6);
+  const {entries} = await daemon.get(`/sensors/${SENSOR}/faults/log`);
+  for (const {kind} of faults) {
+    expect(await count(kind)).toBe(entries.filter((entry) => entry.kind === kind).length - 2);
+  }
+});
+
+test('a fault is told in words', async ({page, start}) => {
+  const daemon = await start();
+  await open(page, daemon, '#panel=faults');
+  const cards = page.locator('#faults li');
+  const post = (fault) => daemon.post(`/sensors/${SENSOR}/faults`, fault);
+  await post({kind: 'cut', how: 'silent', for: {s: 3}, at: {s: 1000}});
+  await expect(cards.first()).toContainText('how: silent, for 3 s');
+  await post({kind: 'dirty', steps: [500, 580], reads: 'weak', for: {s: 30}});
+  await expect(cards.first()).toContainText('steps 500–580, reads weak, for 30 s');
+});
+
 async function drop(page, target, name, text) {
   const dataTransfer = await page.evaluateHandle(([file, content]) => {
     const transfer = new DataTransfer();
@@ -127,10 +155,10 @@ test('a scenario begins where its file is dropped', async ({page, start, complai
   await expect(page.locator('#panel-faults')).toBeVisible();
   await expect(page.locator('#scenario-state')).toContainText('cable_pulled.yaml: ');
   expect((await daemon.get('/scenario')).name).toBe('cable_pulled.yaml');
-  await page.getByRole('button', {name: 'Stop it'}).click();
+  await page.getByRole('button', {name: 'Stop the scenario'}).click();
   await expect.poll(async () => (await daemon.get('/scenario')).state).toBe('ended');
   await drop(page, '#panel-faults', 'wrong.yml', 'steps:\n  - {sensor: "*", kind: corupt}\n');
-  await expect(page.locator('#scenario-trouble')).toContainText('wrong.yml does not begin.');
+  await expect(page.locator('#scenario-trouble')).toContainText('wrong.yml cannot start.');
   await expect(page.locator('#scenario-trouble')).toContainText('corrupt');
   // The browser tells of the refusal as well.
   for (const text of complaints.splice(0)) expect(text).toMatch(/400.*scenario/);

@@ -6,9 +6,9 @@
 import {make} from './elements.js';
 
 const WAYS = {
-  rate: ['a share, in %', 'such as 1'],
-  at: ['those at', 'such as 0, 17'],
-  every: ['each so-many', 'such as 64'],
+  rate: ['share, %', 'such as 1'],
+  at: ['at offsets', 'such as 0, 17'],
+  every: ['every N', 'such as 64'],
 };
 const COMMANDS = ['MD', 'ME', 'GD', 'GE', 'HD', 'HE', 'ND', 'NE', 'VV', 'PP', 'II', 'BM', 'QT', 'RS', 'RB'];
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Faults on purpose: troubles by their names, a form that starts any fault, those that wait or act, and what they did.
+// Injected faults: common ones by their names, a form that starts any fault, those pending or active, and their log.
 import {byId, make, tell} from './elements.js';
 import {FaultBar} from './fault_bar.js';
 import {FAULT_EXAMPLES} from './fault_examples.js';
@@ -12,6 +12,8 @@ import {at} from './server.js';
 
 const MOST_LINES = 200;
 const BETWEEN_MS = 1000;
+// Log entries of one fault that follow each other faster than this are one line with a count.
+const REPEATS_S = 2;
 // Of a UST-10LX.
 const USUAL_FRONT = 540;
 
@@ -20,6 +22,7 @@ export class FaultsPanel {
     Object.assign(this, {server, settings, status, notices, scenario});
     this.kinds = [];
     this.inputs = new Map();
+    this.lines = new Map();
     this.bar = new FaultBar(byId('fault-bar'), server);
     this.kind = byId('fault-kind');
     this.sensor = byId('fault-sensor');
@@ -113,7 +116,8 @@ export class FaultsPanel {
     trouble.hidden = true;
     try {
       const answer = await this.post(this.sensor.value, this.request());
-      this.notices.tell([`Fault ${answer.id} is asked for.`, ...(answer.notes || [])].join(' '));
+      const when = Number(byId('fault-at').value) > 0 ? 'scheduled' : 'started';
+      this.notices.tell([`Fault ${answer.id} ${when}.`, ...(answer.notes || [])].join(' '));
     } catch (error) {
       trouble.textContent = error.message;
       trouble.hidden = false;
@@ -182,23 +186,42 @@ export class FaultsPanel {
       make('div', {class: 'small dim'}, wordsOf(rest)));
   }
 
-  log(fault) {
+  log({sensor, id, kind, what, scan, time_s}) {
+    const key = `${sensor} ${id} ${['begins', 'ends'].includes(what) ? what : ''}`;
+    const last = this.lines.get(key);
+    if (last?.element.isConnected && time_s >= last.time_s && time_s - last.time_s < REPEATS_S) {
+      last.count += 1;
+      last.time_s = time_s;
+      tell(last.counter, ` × ${last.count}, to ${time_s.toFixed(2)} s, scan ${scan} `);
+      return;
+    }
     const list = byId('fault-log');
-    list.prepend(make('li', {},
-      make('span', {class: 'dim'}, `${fault.time_s.toFixed(2)} s, scan ${fault.scan} `),
-      make('strong', {}, fault.kind), ` ${fault.what} `,
-      make('span', {class: 'dim'}, fault.sensor)));
+    const counter = make('span', {class: 'count'});
+    const element = make('li', {}, make('span', {class: 'dim'}, `${time_s.toFixed(2)} s, scan ${scan} `),
+      make('strong', {}, kind), ` ${what}`, counter, make('span', {class: 'dim'}, ` ${sensor}`));
+    this.lines.set(key, {element, counter, count: 1, time_s});
+    list.prepend(element);
     if (list.children.length > MOST_LINES) list.lastChild.remove();
   }
 }
 
-/** {how: 'silent', for: {s: 3}} as "how silent, for s 3". */
+/** {how: 'silent', steps: [500, 580], for: {s: 3}} as "how: silent, steps 500–580, for 3 s". */
 function wordsOf(fault) {
-  return Object.entries(fault).map(([name, value]) => `${name} ${textOf(value)}`).join(', ') || 'as it comes';
+  return Object.entries(fault).map(([name, value]) => memberWords(name, value)).join(', ') || 'no parameters';
+}
+
+const TIMES = ['for', 'every', 'jitter', 'until'];
+
+function memberWords(name, value) {
+  if (name === 'at' && value?.s !== undefined) return `begins after ${value.s} s`;
+  if (name === 'steps' && Array.isArray(value)) return `steps ${value.join('–')}`;
+  if (name === 'reads' || TIMES.includes(name)) return `${name} ${textOf(value)}`;
+  return value === true ? name : `${name}: ${textOf(value)}`;
 }
 
 function textOf(value) {
   if (Array.isArray(value)) return value.map(textOf).join(' ');
   if (value === null || typeof value !== 'object') return String(value);
-  return Object.entries(value).map(([name, part]) => `${name} ${textOf(part)}`).join(' ');
+  return Object.entries(value).map(([unit, part]) => ['s', 'scans'].includes(unit)
+    ? `${part} ${unit}` : `${unit} ${textOf(part)}`).join(' ');
 }

@@ -33,9 +33,9 @@ export class ScenarioCard {
     try {
       const {steps} = await this.server.put('/scenario', {name: file.name, yaml: await file.text()});
       this.isThere = true;
-      this.notices.tell(`${file.name} has begun: ${steps.length} ${steps.length === 1 ? 'fault' : 'faults'}.`);
+      this.notices.tell(`${file.name} started: ${steps.length} ${steps.length === 1 ? 'fault' : 'faults'}.`);
     } catch (error) {
-      this.tellTroubles([`${file.name} does not begin.`, ...troublesOf(error)]);
+      this.tellTroubles([`${file.name} cannot start.`, ...troublesOf(error)]);
     }
     await this.refresh();
   }
@@ -61,8 +61,8 @@ export class ScenarioCard {
   show(scenario) {
     byId('scenario-stop').hidden = scenario.state !== 'running';
     const count = (state) => scenario.steps.filter((step) => step.state === state).length;
-    tell(byId('scenario-state'), `${scenario.name}: ${count('waiting')} wait, ${count('active')} act, ` +
-      `${count('ended')} have ended`);
+    tell(byId('scenario-state'), `${scenario.name}: ${count('waiting')} pending, ${count('active')} active, ` +
+      `${count('ended')} ended`);
   }
 }
 
