@@ -223,3 +223,42 @@ test('says how to connect a driver until one is there', async ({page, start}) =>
   await card.getByRole('button', {name: 'Close'}).click();
   await expect(card).toBeHidden();
 });
+
+test('the connect card goes after two minutes, and with the daemon', async ({page, start, complaints}) => {
+  const daemon = await start();
+  await page.clock.install();
+  await open(page, daemon);
+  const card = page.getByRole('region', {name: 'Connect a driver'});
+  await expect(card).toBeVisible();
+  await page.clock.fastForward(100_000);
+  await page.waitForTimeout(1500);
+  await expect(card).toBeVisible();
+  await page.clock.fastForward(30_000);
+  await expect(card).toBeHidden();
+  await expect(page.locator('#state')).toHaveText('live');
+  // It is back with the next daemon, and gone with it.
+  await daemon.end('SIGKILL');
+  await expect(page.locator('#lost')).toHaveText('Connection to scipd lost. Reconnecting…');
+  const again = await start([], daemon.ready.http);
+  await expect(card).toBeVisible();
+  await again.end('SIGKILL');
+  await expect(card).toBeHidden();
+  complaints.length = 0;
+});
+
+test('in the dark, the ground outshines nothing', async ({page, start}) => {
+  const daemon = await start(['--scene', scene('depot.sdf'), '--pose', '8,6,2']);
+  const [eye, at] = [[0, -0.01, 60], [0, 0, 0]];
+  const groundIn = async (theme) => {
+    await page.goto('about:blank');
+    await page.emulateMedia({colorScheme: theme});
+    await open(page, daemon, hash(eye, at, {rays: 'false', points: 'false', grid: 'false'}));
+    await page.waitForTimeout(1000);
+    const [pixels, box] = [readPng(await page.screenshot()), await page.locator('#canvas').boundingBox()];
+    // Beside the hall, where there is nothing but ground.
+    const {x, y} = lookFrom(eye, at, box)([20, 20, 0]);
+    return Math.max(...pixels.at(Math.round(x), Math.round(y)));
+  };
+  expect(await groundIn('light')).toBeGreaterThan(120);
+  expect(await groundIn('dark')).toBeLessThan(90);
+});

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How one connects a driver to the chosen scanner, for as long as no scanner has a client.
+// The address of the selected scanner and a command that connects a driver to it: shown while no scanner has a client,
+// for two minutes at most, and not while the daemon is lost.
 import {partsOf, reach, usable} from './addresses.js';
 import {byId, make, tell} from './elements.js';
 
 const DRIVER = 'ros2 run urg_node urg_node_driver --ros-args';
 const KEY = 'scipd connect card';
+const SHOWN_MS = 120_000;
 
 export class ConnectCard {
-  constructor({status, settings, notices}) {
-    Object.assign(this, {status, settings, notices});
+  constructor({status, settings, notices, connection}) {
+    Object.assign(this, {status, settings, notices, connection});
+    this.since_ms = null;
     this.tcp = make('code');
     this.tty = make('code');
     this.command = make('code', {id: 'connect-command'});
@@ -22,11 +25,13 @@ export class ConnectCard {
         make('div', {}, make('dt', {}, 'TCP'), make('dd', {}, this.tcp)),
         make('div', {}, make('dt', {}, 'tty'), make('dd', {}, this.tty))),
       this.reach = make('p', {class: 'dim'}),
-      make('p', {class: 'dim'}, 'such as urg_node of ROS 2:'),
+      make('p', {class: 'dim'}, 'For example, with urg_node (ROS 2):'),
       make('div', {class: 'row command'}, this.command,
         make('button', {on: {click: () => this.copy()}, 'aria-label': 'Copy the command'}, 'Copy')));
     byId('panel-sensors').prepend(this.element);
-    status.addEventListener('changed', () => this.update());
+    for (const [source, event] of [[status, 'changed'], [status, 'lost'], [connection, 'lost']]) {
+      source.addEventListener(event, () => this.update());
+    }
     settings.watch('sensor', () => this.update());
   }
 
@@ -34,7 +39,9 @@ export class ConnectCard {
     const scanner = this.status.sensor(this.settings.get('sensor'));
     const hasClient = this.status.sensors.some(({clients}) => clients > 0);
     const isClosed = sessionStorage.getItem(KEY) === 'closed';
-    this.element.hidden = isClosed || hasClient || !(scanner?.tcp || scanner?.pty);
+    const isUseful = this.connection.isOpen && !hasClient && Boolean(scanner?.tcp || scanner?.pty);
+    this.since_ms = isUseful ? this.since_ms ?? performance.now() : null;
+    this.element.hidden = !isUseful || isClosed || performance.now() - this.since_ms > SHOWN_MS;
     if (this.element.hidden) return;
     const tcp = scanner.tcp && usable(scanner.tcp);
     tell(this.name, scanner.name);

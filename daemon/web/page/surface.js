@@ -18,6 +18,7 @@ const FRAGMENT = `
   uniform float opacity;
   uniform float glow;
   uniform float cut_m;
+  uniform float brightness;
   varying vec3 place;
   void main() {
     if (place.z > cut_m) discard;
@@ -25,11 +26,18 @@ const FRAGMENT = `
     if (dot(normal, cameraPosition - place) < 0.0) normal = -normal;
     float sun = max(dot(normal, normalize(vec3(-0.45, -0.6, 0.9))), 0.0);
     float light = 0.55 + 0.18 * normal.z + 0.32 * sun;
-    gl_FragColor = vec4(colour * light + glow * vec3(0.7, 0.4, 0.05), opacity);
+    gl_FragColor = vec4(brightness * colour * light + glow * vec3(0.7, 0.4, 0.05), opacity);
   }`;
 
-// Shared, since a slider moves it for all faces at once.
+// Shared: each changes all faces at once.
 const cut = {value: 1e9};
+const FULL = {value: 1};
+const groundLight = {value: 1};
+
+/** The brightness of all ground, which in a dark theme must not outshine what stands on it. */
+export function lightGround(share) {
+  groundLight.value = share;
+}
 
 export function cutAbove(height_m) {
   cut.value = height_m > 0 ? height_m : 1e9;
@@ -40,7 +48,7 @@ export function highestSeen_m() {
   return cut.value;
 }
 
-export function makeSurface(colour, opacity = 1) {
+export function makeSurface(colour, opacity = 1, isGround = false) {
   return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
@@ -49,6 +57,7 @@ export function makeSurface(colour, opacity = 1) {
       opacity: {value: opacity},
       glow: {value: 0},
       cut_m: cut,
+      brightness: isGround ? groundLight : FULL,
     },
     extensions: {derivatives: true},
     side: DoubleSide,

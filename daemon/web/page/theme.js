@@ -3,6 +3,7 @@
 //
 // Light or dark: as the system has it, or as the user chose.
 import {byId} from './elements.js';
+import {lightGround} from './surface.js';
 
 const NEXT = {auto: 'light', light: 'dark', dark: 'auto'};
 const KEY = 'scipd theme';
@@ -33,6 +34,7 @@ export class Theme {
     const colour = (name) => style.getPropertyValue(name).trim();
     this.ground.setColours(colour('--grid-fine'), colour('--grid-coarse'));
     this.world.setEdgeColour(colour('--edge'));
+    lightGround(Number(colour('--ground-light')));
     this.stage.setBackground(colour('--sky'));
   }
 }

@@ -13,6 +13,8 @@ import {readMesh} from './mesh_message.js';
 import * as colours from './colours.js';
 
 const FLAT_M = 0.05;
+// What is flat and as wide as this is ground.
+const GROUND_M = 4;
 const STILL = 'still';
 
 /** Tells changed when other objects are there, and loaded when they are those of a world that was loaded anew. */
@@ -113,7 +115,7 @@ export class World extends EventTarget {
 
   add(object) {
     const {faces, edges} = this.geometries.get(object.mesh);
-    const surface = makeSurface(this.colourOf(object), colours.opacityOf(object.material));
+    const surface = makeSurface(this.colourOf(object), colours.opacityOf(object.material), isGround(faces, object));
     const mesh = new Mesh(faces, surface);
     mesh.matrixAutoUpdate = false;
     const inModel = matrixOf(object.in_model);
@@ -218,6 +220,11 @@ export class World extends EventTarget {
     return this.objects.reduce(
       (sum, {object}) => sum + this.geometries.get(object.mesh).mesh.indices.length / 3, 0);
   }
+}
+
+function isGround({boundingBox}, {pose, scale}) {
+  const {min, max} = boundingBox.clone().applyMatrix4(matrixOf(pose).scale(new Vector3(...scale)));
+  return max.z - min.z <= FLAT_M && Math.min(max.x - min.x, max.y - min.y) >= GROUND_M;
 }
 
 function around(boxes) {
