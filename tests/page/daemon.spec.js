@@ -122,7 +122,7 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
   };
   const give = async (token) => {
     await page.locator('#token').fill(token);
-    await page.getByRole('button', {name: 'Go on'}).click();
+    await page.getByRole('button', {name: 'Continue'}).click();
   };
   const [old, other] = ['an+old/token,of(this)test==012345', 'another-token-of-this-test-01234'];
   const daemon = await begin(old, 0);
@@ -154,10 +154,10 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
   await page.goto(daemon.address);
   for (let i = 0; i < 3; ++i) await page.keyboard.press('Escape');
   await page.locator('#token').fill('wrong');
-  await page.getByRole('button', {name: 'Go on'}).click();
+  await page.getByRole('button', {name: 'Continue'}).click();
   await expect(page.locator('#token-wrong')).toBeVisible();
   await page.locator('#token').fill('a-token-of-this-test-0123456789');
-  await page.getByRole('button', {name: 'Go on'}).click();
+  await page.getByRole('button', {name: 'Continue'}).click();
   await expect(page.locator('#state')).toHaveText('live');
   await withScan(page);
   await page.reload();

@@ -135,7 +135,7 @@ test('watches steps over time', async ({page, start}) => {
       expect(await page.locator('#watched li').nth(k).textContent()).toContain(`step ${step}${summary}`);
     }
   }).toPass();
-  await page.getByRole('button', {name: 'Watch step 700 no more'}).click();
+  await page.getByRole('button', {name: 'Stop watching step 700'}).click();
   await expect(page.locator('#watched li')).toHaveCount(1);
 });
 

@@ -76,7 +76,7 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, accuracy: ideal, tcp: "127
   const daemon = await start(['--config', rig]);
   await page.goto(daemon.address);
   await page.locator('#token').fill('a-token-of-this-test-0123456789');
-  await page.getByRole('button', {name: 'Go on'}).click();
+  await page.getByRole('button', {name: 'Continue'}).click();
   await withScan(page);
   await page.getByRole('tab', {name: 'Share'}).click();
   await page.getByLabel('The next').selectOption('10');

@@ -88,7 +88,7 @@ test('under clock: poses, time plays, stands still and steps', async ({page, sta
   await page.locator('#clock-step-ms').selectOption('1000');
   await page.locator('#canvas').press('j');
   await near(time_s, before_s + 1.025, 1e-6);
-  await expect(page.locator('#clock-rate')).toHaveText('stands still');
+  await expect(page.locator('#clock-rate')).toHaveText('paused: time waits for poses');
   expect(await page.evaluate(poorContrasts)).toEqual([]);
   expect(await page.evaluate(withoutName)).toEqual([]);
 

@@ -77,5 +77,5 @@ export class Clock {
 /** Seconds of the daemon in a second; null of the first answer. */
 function inWords(rate) {
   if (rate === null) return '';
-  return rate > 0 ? `${rate.toFixed(2)} ×` : 'stands still';
+  return rate > 0 ? `${rate.toFixed(2)} ×` : 'paused: time waits for poses';
 }

@@ -39,10 +39,10 @@ export class Header {
     const {scene, time_s, clock, poses} = this.status.latest;
     tell(byId('world-name'), scene.split('/').pop());
     byId('world-name').title = scene;
-    tell(byId('time'), `${time_s.toFixed(0)} s${clock === 'poses' ? ', by poses' : ''}`);
+    tell(byId('time'), `time ${time_s.toFixed(0)} s${clock === 'poses' ? ' (lockstep)' : ''}`);
     const rate = this.status.rates.poses;
     tell(byId('poses'), rate === null ? '–' : `${rate.toFixed(0)} poses/s`);
-    byId('poses').title = `${poses.accepted} poses taken, ${poses.refused} refused` +
+    byId('poses').title = `${poses.accepted} poses accepted, ${poses.refused} refused` +
       (poses.last_refusal ? `; the last one: ${poses.last_refusal}` : '');
     byId('poses').classList.toggle('warning', poses.refused > 0);
   }

@@ -48,7 +48,7 @@ export class SelectionCard {
     if (!thing) return;
     const isModel = thing.kind === 'models';
     tell(byId('selected-name'), thing.name);
-    tell(byId('selected-kind'), isModel ? (thing.movable ? 'model' : 'model that stands still') : 'robot');
+    tell(byId('selected-kind'), isModel ? (thing.movable ? 'model' : 'static model') : 'robot');
     byId('selected-pose').hidden = !this.pose;
     for (const input of Object.values(this.inputs)) input.disabled = !this.locks.moves(thing);
     byId('selected-delete').hidden = !isModel;

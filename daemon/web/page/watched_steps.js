@@ -34,7 +34,7 @@ export class WatchedSteps {
     this.list.replaceChildren(...this.steps.map(({step, colour}) => make('li', {class: 'row'},
       make('span', {class: `swatch ${colour}`}), make('span', {}, `step ${step}`),
       make('span', {class: 'dim space'}),
-      make('button', {class: 'quiet', 'aria-label': `Watch step ${step} no more`,
+      make('button', {class: 'quiet', 'aria-label': `Stop watching step ${step}`,
         on: {click: () => this.remove(step)}}, '×'))));
     this.act();
   }

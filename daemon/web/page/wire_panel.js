@@ -32,7 +32,7 @@ export class WirePanel {
     this.pause.addEventListener('click', () => {
       this.paused = !this.paused;
       this.pause.setAttribute('aria-pressed', this.paused);
-      tell(this.pause, this.paused ? 'Go on' : 'Pause');
+      tell(this.pause, this.paused ? 'Resume' : 'Pause');
     });
     byId('wire-clear').addEventListener('click', () => this.clear());
     this.filter = byId('wire-filter');
@@ -74,7 +74,7 @@ export class WirePanel {
   take(message) {
     if (this.paused) return;
     byId('wire-none').hidden = true;
-    if (message.dropped) this.add(make('li', {class: 'dim'}, `${message.dropped} messages were left out`));
+    if (message.dropped) this.add(make('li', {class: 'dim'}, `${message.dropped} messages were dropped`));
     if (this.collapse.checked && this.joins(message)) return;
     this.show(message);
   }
