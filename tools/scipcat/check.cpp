@@ -73,6 +73,8 @@ void check_scanner(const CheckOptions& options) {
     write_to(options.junit, [&](std::ostream& out) { out << as_junit(report); });
     write_to(options.html, [&](std::ostream& out) { out << as_html(report); });
     std::cout << (options.json ? as_json(report) : as_text(report)) << std::flush;
+    if (!report.gone.empty())
+        throw WrongInput(report.gone + "; the remaining checks were not made");
     if (report.interrupted) throw std::runtime_error("interrupted before all checks were made");
     if (const std::size_t failed = report.count(checks::Verdict::fail); failed > 0)
         throw std::runtime_error(std::to_string(failed) + " of " +
@@ -101,7 +103,8 @@ void add_check_command(CLI::App& program) {
     command->add_flag("--json", options->json, "as a JSON document");
     command->callback([options] { check_scanner(*options); });
     command->footer(
-        "The exit code is 0 if no check fails, 1 if some do, 2 if no scanner answers.\n"
+        "The exit code is 0 if no check fails, 1 if some do, 2 if no scanner answers or it "
+        "goes away.\n"
         "Examples:\n"
         "  scipcat check tcp://192.168.0.10:10940\n"
         "  scipcat check /dev/ttyACM0 --section 6 --section 4.2 --json\n"

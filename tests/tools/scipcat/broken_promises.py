@@ -329,6 +329,7 @@ PROMISES = {
     "1.3": ("scip1", raw_changed("QT", lambda raw: raw.replace(b"E\n", b"0\n"))),
     "1.4": ("scip1", raw_changed("SCIP2.0", lambda raw: raw.replace(b"\n0\n", b"\n1\n"))),
 
+    "2.0": ("ust", answers("GD.*", None, "0E")),
     "2.1": ("ust", Change("VV", swapped)),
     "2.2": ("ust", says("PP", "CCW", "1")),
     "2.3": ("ust", says("II", "SBPS", None)),

@@ -172,7 +172,7 @@ class Change(Fault):
 
 
 def answers(echo, status, other, nth=None):
-    """Another status, without data."""
+    """Another status, without data; in place of any where `status` is None."""
     def change(message):
         message.status, message.lines = other, []
     return Change(echo, change, status, nth)

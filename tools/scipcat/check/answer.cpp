@@ -40,6 +40,10 @@ double Answer::took_ms() const {
     return std::chrono::duration<double, std::milli>(came_at - asked_at).count();
 }
 
+bool is_unknown(std::string_view status) {
+    return status.empty() || status == "0D" || status == "0E" || status == "0F";
+}
+
 Answer read_answer(std::string raw) {
     Answer answer{.raw = std::move(raw)};
     std::string_view bytes = answer.raw;
@@ -67,6 +71,12 @@ Finding is_scan(const Answer& answer, std::string_view echo) {
     const auto scan = parse_scan(answer.message);
     const auto* const why = std::get_if<std::string>(&scan);
     return require(why == nullptr, why == nullptr ? "" : reply_of(answer) + ": " + *why);
+}
+
+Finding is_scan(const Answer& answer) {
+    const std::string& echo = answer.message.echo;
+    const auto fine = has_status(answer, echo.starts_with('M') ? "99" : "00");
+    return fine.passed() ? is_scan(answer, echo) : fine;
 }
 
 ScanMessage scan_of(const Answer& answer) {

@@ -29,6 +29,10 @@ struct Answer {
     [[nodiscard]] double took_ms() const;
 };
 
+/// True if a command without parameters is unknown: 0D, 0E, 0F, or empty for no answer. A request as
+/// short as that cannot be too long.
+[[nodiscard]] bool is_unknown(std::string_view status);
+
 [[nodiscard]] Answer read_answer(std::string raw);
 
 /// Whether the reply is sound and has this status. Without data it must be the very bytes of echo,
@@ -37,6 +41,9 @@ Finding has_status(const Answer& answer, std::string_view status);
 
 /// Whether it is a sound scan with just this echo: no damage, and as many values as announced.
 Finding is_scan(const Answer& answer, std::string_view echo);
+
+/// Passes a sound scan with its own echo and the status of its command: 99 in a stream, else 00.
+Finding is_scan(const Answer& answer);
 
 /// The scan of a message that must be one. Throws protocol::client::Error.
 [[nodiscard]] protocol::client::ScanMessage scan_of(const Answer& answer);

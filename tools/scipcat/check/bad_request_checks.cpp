@@ -45,7 +45,7 @@ Finding nothing_changed(Subject& subject) {
     for (const std::string& request : {std::string("MD9999999901000"), std::string("MD")}) {
         if (subject.ask(request).status() == "00") return fail(request + " is accepted");
     }
-    return subject.expect("GD" + subject.window() + "01", "10");
+    return subject.expect_laser_off();
 }
 
 /// Whatever it makes of these bytes, the next request is answered.
@@ -89,8 +89,7 @@ Finding scan_commands(Subject& subject) {
     const auto known = commands_of(line);
     subject.rest();
     for (const std::string& command : asked) {
-        const std::string status = subject.ask(command).status();
-        const bool refused = status == "0E" || status == "0F";
+        const bool refused = is_unknown(subject.ask(command).status());
         if (refused == (known.count(command) == 1))
             return fail(command + (refused ? " is unknown to it" : " is known to it") +
                         ", unlike to others of its line");

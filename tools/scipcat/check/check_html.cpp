@@ -15,7 +15,7 @@ constexpr std::string_view style = R"(
 td { vertical-align: top; }
 td:nth-child(1) { width: 3rem; } td:nth-child(2) { width: 8rem; font-weight: 600; }
 .pass { color: var(--pass); } .fail { color: var(--fail); } .differs { color: var(--differs); }
-.not, summary { color: var(--faint); }
+.not, .skipped, summary { color: var(--faint); }
 small { display: block; } summary { font-size: .8rem; }
 pre { background: var(--shade); padding: .5rem; margin: .3rem 0; white-space: pre-wrap;
       overflow-wrap: anywhere; }

@@ -9,11 +9,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Programs know four verdicts: a check that was skipped is one that does not apply.
+std::string_view verdict_of(const Finding& finding) {
+    const bool skipped = finding.verdict == Verdict::skipped;
+    return name_of(skipped ? Verdict::not_applicable : finding.verdict);
+}
+
 Json json_of(const Result& result) {
     return {{"id", result.check->id},
             {"name", result.check->title},
             {"source", result.check->source},
-            {"verdict", name_of(result.finding.verdict)},
+            {"verdict", verdict_of(result.finding)},
             {"why", result.finding.why},
             {"sent", result.sent},
             {"got", result.got}};

@@ -31,11 +31,12 @@ struct CheckReport {
     std::vector<Result> results;
     std::optional<NearestFirmware> nearest;
     bool interrupted = false;
+    std::string gone;  ///< the last request and the reason, if the scanner went away; or empty
 
     [[nodiscard]] std::size_t count(Verdict verdict) const;
     /// "UST-10LX 2.23.0000, H1614934"
     [[nodiscard]] std::string device() const;
-    /// "124 checks: 100 pass, 0 fail, 8 differ as is known, 16 not applicable"
+    /// "124 checks: 100 pass, 0 fail, 8 differ as is known, 7 not applicable, 9 skipped"
     [[nodiscard]] std::string summary() const;
     /// "nearest firmware: UST-10LX@2.23.0000: 122 of 122 answers alike"; empty: it was not asked.
     [[nodiscard]] std::string nearness() const;

@@ -10,7 +10,6 @@
 
 #include "protocol/char_code.h"
 #include "tools/scipcat/check/check_table.h"
-#include "tools/scipcat/check/printable.h"
 
 namespace scipd::tools::checks {
 namespace {
@@ -34,8 +33,7 @@ std::uint64_t number_in(const Answer& answer) {
 }
 
 Finding stamp_of_four(Subject& subject) {
-    subject.measure();
-    const auto lines = subject.ask("GD" + subject.window() + "01").lines();
+    const auto lines = subject.scan(subject.window()).lines();
     return require(lines.size() == 4 && lines[2].size() == 5 &&
                        protocol::decode(lines[2].substr(0, 4)).has_value(),
                    "the line behind the status has not four characters of SCIP and a sum");
@@ -168,7 +166,7 @@ Finding named_times(Subject& subject) {
 }
 
 Finding microseconds(Subject& subject) {
-    if (!subject.facts().knows("%TM1")) return not_applicable("it does not know %TM1");
+    if (!subject.facts().knows("%TM")) return not_applicable("it does not know %TM1");
     constexpr std::size_t width = 11;
     const std::uint32_t before = subject.clock_ms();
     const Answer answer = subject.ask("%TM1");
@@ -183,13 +181,7 @@ Finding microseconds(Subject& subject) {
 
 Finding microsecond_stamps(Subject& subject, const std::string& command) {
     if (!subject.facts().knows(command)) return not_applicable("it does not know " + command);
-    subject.rest();
-    const std::string request = command + subject.window() + "0100";
-    subject.stream(request + "2");
-    for (const char left : {'1', '0'}) {
-        if (auto fine = is_scan(subject.next_scan(), request + left); !fine.passed()) return fine;
-    }
-    return pass();
+    return subject.expect_scans(command + subject.window() + "010", 2);
 }
 
 Finding reset_to_zero(Subject& subject) {

@@ -21,23 +21,10 @@ using Values = std::vector<std::uint32_t>;
 /// parse_scan() counts: the last group may be shorter.
 Finding clusters(Subject& subject, const std::string& command, const std::string& window,
                  const std::string& cluster) {
-    if (command != "GD" && !subject.facts().knows(command))
-        return not_applicable("it does not know " + command);
+    if (command == "GD") return is_scan(subject.scan(window, cluster));
+    if (!subject.facts().knows(command)) return not_applicable("it does not know " + command);
     subject.measure();
-    const std::string request = command + window + cluster;
-    const Answer answer = subject.ask(request);
-    if (auto fine = has_status(answer, "00"); !fine.passed()) return fine;
-    return is_scan(answer, request);
-}
-
-Finding clusters_in_stream(Subject& subject) {
-    subject.rest();
-    const std::string request = "MD" + subject.all() + "0300";
-    subject.stream(request + "2");
-    for (const char left : {'1', '0'}) {
-        if (auto fine = is_scan(subject.next_scan(), request + left); !fine.passed()) return fine;
-    }
-    return pass();
+    return is_scan(subject.ask(command + window + cluster));
 }
 
 /// The median of each value over some scans.
@@ -117,7 +104,8 @@ constexpr Check table_of_clusters[] = {
      [](Subject& subject) { return clusters(subject, "GE", subject.all(), "04"); }},
     {"7.7", "HD brings the echoes of one step a group", "urg_library",
      [](Subject& subject) { return clusters(subject, "HD", subject.all(), "04"); }},
-    {"7.8", "a stream has clusters as well", recorded_cluster, clusters_in_stream},
+    {"7.8", "a stream has clusters as well", recorded_cluster,
+     [](Subject& subject) { return subject.expect_scans("MD" + subject.all() + "030", 2); }},
     {"7.9", "the value of a group is its nearest distance", spec_cluster, nearest_of_group},
 };
 

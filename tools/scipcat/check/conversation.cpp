@@ -89,6 +89,12 @@ void Conversation::begin() {
     got_.clear();
 }
 
+std::string_view Conversation::last_line_sent() const {
+    std::string_view rest = sent_;
+    rest = rest.substr(0, rest.find_last_not_of("\r\n") + 1);
+    return rest.substr(rest.find_last_of("\r\n") + 1);
+}
+
 /// False: nothing has come in time.
 bool Conversation::read(milliseconds patience) {
     if (!transport_) reconnect();

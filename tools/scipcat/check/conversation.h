@@ -54,6 +54,7 @@ class Conversation {
     /// From here on sent() and got() begin anew.
     void begin();
     [[nodiscard]] const std::string& sent() const { return sent_; }
+    [[nodiscard]] std::string_view last_line_sent() const;
     [[nodiscard]] const std::string& got() const { return got_; }
     [[nodiscard]] const Place& place() const { return place_; }
     [[nodiscard]] bool over() const { return Clock::now() >= place_.deadline; }

@@ -28,14 +28,9 @@ Finding sums_of_entries(Subject& subject, const std::string& request) {
     return require(lines.size() > 2, request + " has no lines");
 }
 
-Answer scan_with_laser_on(Subject& subject, const std::string& window) {
-    subject.measure();
-    return subject.ask("GD" + window + "01");
-}
-
 Finding sums_of_scan(Subject& subject) {
-    const auto lines = scan_with_laser_on(subject, subject.all()).lines();
-    if (lines.size() < 4) return fail("GD brings no time stamp and data");
+    const auto lines = subject.scan(subject.all()).lines();
+    if (lines.size() < 4) return fail("a scan has no time stamp and data");
     for (std::size_t i = 1; i < lines.size(); ++i) {
         const std::string text = lines[i].substr(0, lines[i].empty() ? 0 : lines[i].size() - 1);
         if (lines[i].empty() || lines[i].back() != protocol::checksum(text))
@@ -45,7 +40,7 @@ Finding sums_of_scan(Subject& subject) {
 }
 
 Finding full_lines(Subject& subject) {
-    const auto lines = scan_with_laser_on(subject, subject.all()).lines();
+    const auto lines = subject.scan(subject.all()).lines();
     for (std::size_t i = 3; i + 1 < lines.size(); ++i) {
         if (lines[i].size() != full_line + 1)
             return fail("line " + std::to_string(i + 1) + " has " +
@@ -59,7 +54,7 @@ Finding full_lines(Subject& subject) {
 Finding exact_lines(Subject& subject) {
     if (subject.facts().steps() < static_cast<int>(full_line))
         return not_applicable("it has fewer than 64 steps");
-    const auto lines = scan_with_laser_on(subject, subject.window(full_line)).lines();
+    const auto lines = subject.scan(subject.window(full_line)).lines();
     return require(lines.size() == 6 && lines.back().size() == full_line + 1,
                    "64 steps in three characters are not three lines of 64");
 }

@@ -150,7 +150,20 @@ Finding mode_text(Subject& subject) {
         "with the laser off MESM is \"" + mode + "\"");
 }
 
+/// A command without its parameters is refused for its length or for the state where it is known.
+Finding core_commands(Subject& subject) {
+    subject.rest();
+    for (const char* const request : {"VV", "PP", "II", "TM2", "BM", "GD", "MD"})
+        (void)subject.try_ask(request);
+    std::string unknown;
+    for (const std::string& command : subject.lacking())
+        unknown += (unknown.empty() ? "" : ", ") + command;
+    return require(unknown.empty(), "it does not know " + unknown);
+}
+
 constexpr Check table_of_identity[] = {
+    {"2.0", "it knows VV, PP, II, TM, BM, GD and MD",
+     "SCIP 2.0 (C-42-03320B) p. 10 to 15, VV PP II", core_commands},
     {"2.1", "VV has the lines VEND, PROD, FIRM, PROT and SERI", spec_questions,
      [](Subject& subject) {
          return has_keys(subject, "VV", {"VEND", "PROD", "FIRM", "PROT", "SERI"});

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "tools/scipcat/check/check_table.h"
-#include "tools/scipcat/check/printable.h"
 
 namespace scipd::tools::checks {
 namespace {

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <thread>
 #include <utility>
 
 #include "protocol/client/error.h"
 #include "tools/scip_transport.h"
-#include "tools/scipcat/check/printable.h"
 
 namespace scipd::tools::checks {
 namespace {
@@ -19,6 +20,9 @@ struct Planned {
     const Chapter* chapter;
     const Check* check;
 };
+
+/// Commands that the scanner does not know, each with the number of the check that failed for it.
+using Counted = std::map<std::string, std::string_view>;
 
 /// All checks of these sections, the unsafe ones as well: they say why they were not made.
 std::vector<Planned> plan(const Wanted& wanted) {
@@ -49,7 +53,7 @@ Finding judged(Finding finding, const Check& check, Line line) {
 
 Finding look(const Planned& planned, Subject& subject, const Wanted& wanted) {
     if (planned.chapter->unsafe && !wanted.unsafe)
-        return not_applicable("it sets or reboots; --unsafe makes it");
+        return skipped("it changes settings or reboots; --unsafe makes it");
     if (subject.speaks_scip1() && planned.chapter != chapters().data())
         return not_applicable("it speaks SCIP 1.1 alone");
     if (subject.wire().over()) return fail("no time was left: the scanner answers too slowly");
@@ -61,10 +65,24 @@ Finding look(const Planned& planned, Subject& subject, const Wanted& wanted) {
     }
 }
 
-Result make(const Planned& planned, Subject& subject, const Wanted& wanted) {
+/// A command that the scanner does not know fails the first check that needs it, and no other.
+Finding counted_once(Finding finding, const Check& check, const Subject& subject,
+                     Counted& counted) {
+    if (finding.verdict != Verdict::fail || subject.lacking().empty()) return finding;
+    const auto known = counted.find(subject.lacking().back());
+    if (known != counted.end())
+        return skipped("it needs " + known->first + ", which the scanner does not know (" +
+                       std::string(known->second) + ")");
+    for (const std::string& command : subject.lacking())
+        counted.emplace(command, check.id);
+    return finding;
+}
+
+Result make(const Planned& planned, Subject& subject, const Wanted& wanted, Counted& counted) {
     const auto begun = Clock::now();
-    subject.wire().begin();
-    Finding finding = look(planned, subject, wanted);
+    subject.begin();
+    Finding finding =
+        counted_once(look(planned, subject, wanted), *planned.check, subject, counted);
     const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
     return {planned.chapter,
             planned.check,
@@ -82,27 +100,70 @@ void leave_at_rest(Subject& subject) {
     }
 }
 
-/// Where that fails the checks go by what little is known, and fail as well.
-void introduce(Subject& subject) {
+/// False if that fails: the checks then go by what little is known, and fail as well.
+bool introduce(Subject& subject) {
     try {
         subject.introduce();
+        return true;
     } catch (const Error&) {
         subject.wire().hang_up();
+        return false;
     }
+}
+
+/// The reason why not even a new connection reaches the scanner; empty: it answers, or no time is
+/// left.
+std::string why_gone(Subject& subject) {
+    constexpr int fewest_tries = 2;
+    constexpr std::chrono::milliseconds longest{2000};
+    constexpr std::chrono::milliseconds pause{200};
+    const auto end = Clock::now() + longest;
+    for (int tries = 1; !subject.wire().over(); ++tries) {
+        std::string why = "nothing answers QT";
+        try {
+            if (subject.responds()) return "";
+        } catch (const Error& error) {
+            why = error.what();
+        }
+        subject.wire().hang_up();
+        if (tries < fewest_tries) continue;
+        if (Clock::now() >= end) return why;
+        std::this_thread::sleep_for(pause);
+    }
+    return "";
+}
+
+/// False if the scanner has gone; the report says so.
+bool is_there(Subject& subject, CheckReport& report) {
+    const std::string last = printable(subject.wire().last_line_sent());
+    const std::string why = why_gone(subject);
+    if (!why.empty())
+        report.gone = "the scanner has gone" + (last.empty() ? "" : " after " + last) + ": " + why;
+    return why.empty();
 }
 
 void make_all(Subject& subject, const Wanted& wanted, const Progress& progress,
               CheckReport& report) {
     const std::vector<Planned> planned = plan(wanted);
+    Counted counted;
     bool introduced = false;
     for (const Planned& next : planned) {
         // SCIP 1.1 comes first, before it is left.
-        if (next.chapter != chapters().data() && !std::exchange(introduced, true))
-            introduce(subject);
+        const bool first = next.chapter != chapters().data() && !std::exchange(introduced, true);
+        if (first && !introduce(subject) && !is_there(subject, report)) {
+            report.results.push_back({next.chapter, next.check, fail(report.gone),
+                                      printable(subject.wire().sent()),
+                                      printable(subject.wire().got())});
+            return;
+        }
         progress(report.results.size(), planned.size(), *next.check);
-        report.results.push_back(make(next, subject, wanted));
+        report.results.push_back(make(next, subject, wanted, counted));
+        const bool failed = report.results.back().finding.verdict == Verdict::fail;
+        const bool broke_off = failed || !subject.lacking().empty();
+        const bool last = report.results.size() == planned.size();
+        if (broke_off && !last && !is_there(subject, report)) return;
     }
-    if (!introduced) introduce(subject);
+    if (!introduced) (void)introduce(subject);
     if (!wanted.sections.empty() || subject.wire().over() || subject.speaks_scip1()) return;
     try {
         const NearestFirmware nearest = nearest_firmware(subject);
@@ -122,7 +183,7 @@ CheckReport run_checks(const Conversation::Place& place, const Wanted& wanted,
     } catch (const Interrupted&) {
         report.interrupted = true;
     }
-    leave_at_rest(subject);
+    if (report.gone.empty()) leave_at_rest(subject);
     report.facts = subject.facts();
     return report;
 }

@@ -15,18 +15,11 @@ namespace {
 
 constexpr std::string_view spec_scan = "SCIP 2.0 (C-42-03320B) p. 10; all recordings";
 
-/// Whether the request brings what it announces.
-Finding brings(Subject& subject, const std::string& request) {
-    subject.measure();
-    const Answer answer = subject.ask(request);
-    if (auto fine = has_status(answer, "00"); !fine.passed()) return fine;
-    return is_scan(answer, request);
-}
-
-/// Whether a command that some scanners lack brings all steps.
+/// Passes if a command that some scanners lack brings all steps.
 Finding brings_all(Subject& subject, const std::string& command) {
     if (!subject.facts().knows(command)) return not_applicable("it does not know " + command);
-    return brings(subject, command + subject.all() + "01");
+    subject.measure();
+    return is_scan(subject.ask(command + subject.all() + "01"));
 }
 
 Finding brings_echoes(Subject& subject, const std::string& command) {
@@ -43,16 +36,14 @@ Finding outermost_steps(Subject& subject) {
     for (const int step : {subject.facts().amin, subject.facts().amax}) {
         const std::string digits =
             std::string(4 - std::to_string(step).size(), '0') + std::to_string(step);
-        auto fine = brings(subject, std::string("GD").append(digits).append(digits).append("01"));
-        if (!fine.passed()) return fine;
+        if (auto fine = is_scan(subject.scan(digits + digits)); !fine.passed()) return fine;
     }
     return pass();
 }
 
 // Codes are below DMIN, or 65533 to 65535.
 Finding distances_or_codes(Subject& subject) {
-    subject.measure();
-    const auto scan = scan_of(subject.ask("GD" + subject.all() + "01"));
+    const auto scan = scan_of(subject.scan(subject.all()));
     const auto most = static_cast<std::uint32_t>(std::stoul("0" + subject.facts().text("DMAX")));
     const auto wrong = std::ranges::find_if(scan.distances_mm, [&](std::uint32_t value) {
         return value > most && (value < 65533 || value > 65535);
@@ -86,9 +77,9 @@ constexpr Check table_of_single_scans[] = {
     {"5.5", "HE brings one to three echoes of each step, with intensities", "urg_library",
      [](Subject& subject) { return brings_echoes(subject, "HE"); }},
     {"5.6", "one step brings one value", spec_scan,
-     [](Subject& subject) { return brings(subject, "GD" + subject.window(1) + "01"); }},
+     [](Subject& subject) { return is_scan(subject.scan(subject.window(1))); }},
     {"5.7", "ten steps bring ten values", spec_scan,
-     [](Subject& subject) { return brings(subject, "GD" + subject.window(10) + "01"); }},
+     [](Subject& subject) { return is_scan(subject.scan(subject.window(10))); }},
     {"5.8", "the steps AMIN and AMAX can be asked for", spec_scan, outermost_steps},
     {"5.9", "values are at most DMAX, or codes",
      "SCIP 2.0 (C-42-03320B) p. 12; data sheet of the UST-10LX", distances_or_codes},

@@ -49,10 +49,7 @@ Finding really_off(Subject& subject) {
 
 Finding scan_after_bm(Subject& subject) {
     subject.measure();
-    const std::string request = "GD" + subject.window() + "01";
-    const Answer answer = subject.ask(request);
-    if (auto fine = has_status(answer, "00"); !fine.passed()) return fine;
-    return is_scan(answer, request);
+    return is_scan(subject.ask("GD" + subject.window() + "01"));
 }
 
 Finding time_in_adjust(Subject& subject) {

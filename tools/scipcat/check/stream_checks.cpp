@@ -6,7 +6,6 @@
 #include <string>
 
 #include "tools/scipcat/check/check_table.h"
-#include "tools/scipcat/check/printable.h"
 
 namespace scipd::tools::checks {
 namespace {
@@ -25,25 +24,13 @@ Finding acknowledged(Subject& subject) {
                    "the acknowledgement is not the request, 00P and an empty line");
 }
 
-Finding counts_down(Subject& subject) {
-    subject.rest();
-    const std::string request = "MD" + subject.window() + "0100";
-    subject.stream(request + "3");
-    for (const char left : {'2', '1', '0'}) {
-        const Answer answer = subject.next_scan();
-        if (auto fine = has_status(answer, "99"); !fine.passed()) return fine;
-        if (auto fine = is_scan(answer, request + left); !fine.passed()) return fine;
-    }
-    return pass();
-}
-
 Finding over_after_count(Subject& subject) {
     subject.rest();
     subject.stream("MD" + subject.window() + "01002");
     (void)subject.scans(2);
     if (!subject.wire().quiet_for(subject.turns(4)))
         return fail("more comes after the last scan of a counted stream");
-    return subject.expect("GD" + subject.window() + "01", "10");
+    return subject.expect_laser_off();
 }
 
 Finding endless_echo(Subject& subject) {
@@ -93,15 +80,7 @@ Finding skips(Subject& subject, int interval) {
 /// Whether such scans have as many values as they announce.
 Finding streams(Subject& subject, const std::string& command) {
     if (!subject.facts().knows(command)) return not_applicable("it does not know " + command);
-    subject.rest();
-    const std::string request = command + subject.all() + "0100";
-    subject.stream(request + "2");
-    for (const char left : {'1', '0'}) {
-        const Answer answer = subject.next_scan();
-        if (auto fine = has_status(answer, "99"); !fine.passed()) return fine;
-        if (auto fine = is_scan(answer, request + left); !fine.passed()) return fine;
-    }
-    return pass();
+    return subject.expect_scans(command + subject.all() + "010", 2);
 }
 
 Finding whole_scans(Subject& subject) {
@@ -167,12 +146,13 @@ Finding reset_ends(Subject& subject) {
     (void)subject.scans(1);
     if (auto fine = subject.expect("RS", "00"); !fine.passed()) return fine;
     if (!subject.wire().quiet_for(subject.turns(4))) return fail("more comes after RS");
-    return subject.expect("GD" + subject.window() + "01", "10");
+    return subject.expect_laser_off();
 }
 
 constexpr Check table_of_streams[] = {
     {"6.1", "MD is acknowledged with its own digits and 00", "recorded UTM-30LX", acknowledged},
-    {"6.2", "a counted stream has status 99 and counts down to 00", spec_stream, counts_down},
+    {"6.2", "a counted stream has status 99 and counts down to 00", spec_stream,
+     [](Subject& subject) { return subject.expect_scans("MD" + subject.window() + "010", 3); }},
     {"6.3", "after the last counted scan nothing comes, and the laser is off", spec_stream,
      over_after_count},
     {"6.4", "each scan of an endless stream says 00", "recorded UST; urg_stamped", endless_echo},

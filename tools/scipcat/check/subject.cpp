@@ -9,7 +9,6 @@
 
 #include "protocol/char_code.h"
 #include "protocol/client/error.h"
-#include "tools/scipcat/check/printable.h"
 
 namespace scipd::tools::checks {
 namespace {
@@ -19,6 +18,11 @@ using std::chrono::milliseconds;
 
 Error silent(const std::string& request) {
     return {Error::Kind::silent, "nothing answers " + request};
+}
+
+/// "GD", "TM" or "%ST": a request without its parameters.
+std::string command_of(std::string_view request) {
+    return std::string(request.substr(0, request.starts_with('%') ? 3 : 2));
 }
 
 }  // namespace
@@ -34,6 +38,22 @@ Subject::Subject(Conversation::Place place) : wire_(std::move(place)) {
                               printable(heard) + "\")");
     }
     speaks_scip1_ = status.size() == 1;
+    facts_.commands.insert("QT");
+}
+
+void Subject::begin() {
+    wire_.begin();
+    lacking_.clear();
+}
+
+bool Subject::responds() {
+    if (status_of_quit().empty()) return false;
+    try {
+        (void)wire_.listen(milliseconds(50));
+    } catch (const Error&) {
+        wire_.hang_up();
+    }
+    return true;
 }
 
 bool Subject::on_tty() const {
@@ -60,7 +80,8 @@ void Subject::learn_texts() {
     ms_per_byte_ = 0.0;
     for (const char* const request : {"VV", "PP", "II"}) {
         const auto answer = try_ask(request);
-        if (!answer) continue;
+        if (!answer || is_unknown(answer->status())) continue;
+        facts_.commands.insert(request);
         take_texts(facts_, answer->raw);
         const std::chrono::duration<double, std::milli> lasted = answer->came_at - answer->begun_at;
         ms_per_byte_ =
@@ -71,12 +92,29 @@ void Subject::learn_texts() {
 
 // As UrgBenri does: a bare command is refused for its length or for the state where it is known.
 void Subject::learn_commands() {
-    for (const char* const command : {"GD", "GS", "GE", "HD", "HE", "GF", "GG", "MD", "MS", "ME",
-                                      "ND", "NE", "MF", "MG", "%MD", "%ME", "%TM1", "%ST"}) {
-        const auto answer = try_ask(command);
-        const std::string status = answer ? answer->status() : "0E";
-        if (status != "0E" && status != "0F") facts_.commands.insert(command);
+    for (const char* const request :
+         {"GD", "GS", "GE", "HD", "HE",  "GF",  "GG",   "MD",  "MS",  "ME",
+          "ND", "NE", "MF", "MG", "%MD", "%ME", "%TM1", "%ST", "TM2", "BM"}) {
+        if (!refuses(request)) facts_.commands.insert(command_of(request));
     }
+    rest();
+}
+
+/// A scanner that hangs up at a bare command knows it: the check of short requests is for that.
+bool Subject::refuses(const std::string& command) {
+    try {
+        const auto answer = try_ask(command);
+        return !answer || is_unknown(answer->status());
+    } catch (const Error& error) {
+        if (error.kind() != Error::Kind::closed) throw;
+        wire_.reconnect();
+        return false;
+    }
+}
+
+void Subject::note_unknown(const std::string& request, std::string_view status) {
+    const std::string command = command_of(request);
+    if (is_unknown(status) && !facts_.knows(command)) lacking_.push_back(command);
 }
 
 /// The empty line ends a request that an earlier client left unfinished. Empty: nothing that is
@@ -141,9 +179,10 @@ std::optional<Answer> Subject::try_ask(std::string_view bytes, const std::string
     std::vector<std::string> before;
     while (before.size() < most_before) {
         auto raw = wire_.message();
-        if (!raw) return std::nullopt;
+        if (!raw) break;
         Answer answer = read_answer(*std::move(raw));
         if (answer.message.echo == echo && answer.status() != "99" && answer.lines().size() > 1) {
+            note_unknown(echo, answer.status());
             answer.asked_at = asked_at;
             answer.begun_at = wire_.heard_from();
             answer.came_at = wire_.heard_at();
@@ -152,6 +191,7 @@ std::optional<Answer> Subject::try_ask(std::string_view bytes, const std::string
         }
         before.push_back(std::move(answer.raw));
     }
+    note_unknown(echo, "");
     return std::nullopt;
 }
 
@@ -160,9 +200,20 @@ Answer Subject::next(std::optional<milliseconds> patience) {
     auto raw = wire_.message(patience.value_or(wire_.place().patience));
     if (!raw) throw Error(Error::Kind::silent, "nothing comes any more");
     Answer answer = read_answer(*std::move(raw));
+    note_unknown(answer.message.echo, answer.status());
     answer.asked_at = asked_at;
     answer.came_at = wire_.heard_at();
     return answer;
+}
+
+Answer Subject::scan(const std::string& steps, const std::string& cluster) {
+    if (facts_.knows("MD") && !facts_.knows("GD")) {
+        rest();
+        stream("MD" + steps + cluster + "001");
+        return next_scan();
+    }
+    measure();
+    return ask("GD" + steps + cluster);
 }
 
 Answer Subject::next_scan() {
@@ -194,6 +245,23 @@ std::uint32_t Subject::clock_ms() {
 
 Finding Subject::expect(const std::string& request, std::string_view status) {
     return has_status(ask(request), status);
+}
+
+Finding Subject::expect_scans(const std::string& request, int count) {
+    rest();
+    stream(request + "0" + std::to_string(count));
+    while (--count >= 0) {
+        const Answer answer = next_scan();
+        if (auto fine = has_status(answer, "99"); !fine.passed()) return fine;
+        if (auto fine = is_scan(answer, request + "0" + std::to_string(count)); !fine.passed())
+            return fine;
+    }
+    return pass();
+}
+
+Finding Subject::expect_laser_off() {
+    if (facts_.knows("BM") && !facts_.knows("GD")) return expect("BM", "00");
+    return expect("GD" + window() + "01", "10");
 }
 
 std::string Subject::window(int steps) const {

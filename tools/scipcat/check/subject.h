@@ -37,6 +37,13 @@ class Subject {
     /// Leaves SCIP 1.1 if need be, and asks what the scanner says of itself.
     void introduce();
 
+    /// Begins a check: empties the transcript and lacking().
+    void begin();
+    /// Commands that this check has sent and the scanner does not know, in their order.
+    [[nodiscard]] const std::vector<std::string>& lacking() const { return lacking_; }
+    /// True if QT is answered. Drops the replies that a check left unread which broke off.
+    [[nodiscard]] bool responds();
+
     /// Laser off, no stream, no adjust mode, and nothing that was sent before is still to come.
     void rest();
     /// Laser on.
@@ -53,6 +60,8 @@ class Subject {
     [[nodiscard]] Answer ask(std::string_view bytes, const std::string& echo);
     /// The next message, which must come within `patience`, or as long as an answer may take.
     [[nodiscard]] Answer next(std::optional<std::chrono::milliseconds> patience = {});
+    /// One scan of these steps: by GD with the laser on, or by MD where the scanner has no GD.
+    [[nodiscard]] Answer scan(const std::string& steps, const std::string& cluster = "01");
     /// The next scan of a stream, and `count` of them.
     [[nodiscard]] Answer next_scan();
     [[nodiscard]] std::vector<protocol::client::ScanMessage> scans(int count);
@@ -62,6 +71,11 @@ class Subject {
 
     /// Whether a request is answered with this status.
     Finding expect(const std::string& request, std::string_view status);
+    /// Passes if MD or its kin, here without its number of scans, brings `count` scans (at most 9)
+    /// that count down.
+    Finding expect_scans(const std::string& request, int count);
+    /// Passes if GD is refused because the laser is off; without GD, if BM switches it on.
+    Finding expect_laser_off();
 
     /// The digits of so many steps around the front.
     [[nodiscard]] std::string window(int steps = 1) const;
@@ -75,9 +89,12 @@ class Subject {
     [[nodiscard]] std::string status_of_quit();
     void learn_texts();
     void learn_commands();
+    [[nodiscard]] bool refuses(const std::string& command);
+    void note_unknown(const std::string& request, std::string_view status);
 
     Conversation wire_;
     Facts facts_;
+    std::vector<std::string> lacking_;
     bool speaks_scip1_ = false;
     double ms_per_byte_ = 0.0;
 };

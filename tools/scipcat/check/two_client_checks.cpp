@@ -84,7 +84,7 @@ Finding ends_with_client(Subject& subject) {
     subject.wire().reconnect();
     if (!subject.wire().quiet_for(subject.turns(4)))
         return fail("the stream of a client who left goes on");
-    return subject.expect("GD" + subject.window() + "01", "10");
+    return subject.expect_laser_off();
 }
 
 Finding again_and_again(Subject& subject) {

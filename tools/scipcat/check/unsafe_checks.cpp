@@ -33,7 +33,7 @@ Finding partial_reset(Subject& subject) {
     subject.stream("MD" + subject.window() + "01000");
     (void)subject.scans(1);
     if (auto fine = subject.expect("RT", "00"); !fine.passed()) return fine;
-    return subject.expect("GD" + subject.window() + "01", "10");
+    return subject.expect_laser_off();
 }
 
 Finding present_rate(Subject& subject) {
