@@ -28,6 +28,16 @@ TEST(StatusText, DependsOnTheCommand) {
     EXPECT_EQ(said("VV", "05"), "status 05");
 }
 
+// C-42-03320B calls 0D an undefined command and 0F insufficient parameters; later models, a request
+// that is too long and a command that is not supported.
+TEST(StatusText, NamesBothMeaningsWhereDialectsDiffer) {
+    EXPECT_EQ(said("GE0000000101", "0D"),
+              "status 0D: the request is too long; of some firmwares, the command is unknown");
+    EXPECT_EQ(said("GE0000000101", "0F"),
+              "status 0F: the scanner does not support the command; of some firmwares, parameters "
+              "are missing");
+}
+
 TEST(StatusText, HasTheRangesOfTrouble) {
     EXPECT_EQ(said("MD0000000101000", "21"), "status 21: the stream pauses to verify an error");
     EXPECT_EQ(said("MD0000000101000", "49"), "status 49: the stream pauses to verify an error");
