@@ -25,7 +25,9 @@ struct ProxyOptions {
 
 void run(ProxyOptions& options) {
     ProxyWanted& wanted = options.wanted;
-    if (wanted.listen.empty() == wanted.pty.empty())
+    if (!wanted.listen.empty() && !wanted.pty.empty())
+        throw WrongInput("--listen and --pty do not go together: give one of both");
+    if (wanted.listen.empty() && wanted.pty.empty())
         throw WrongInput("say where drivers find the proxy: by --listen ADDR:PORT or --pty LINK");
     wanted.scanner = options.connection.target;
     wanted.target = parse_target(wanted.scanner);

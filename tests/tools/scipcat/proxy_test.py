@@ -405,7 +405,7 @@ def refuses_what_it_cannot_do():
 
     target, door = "tcp://127.0.0.1:1", ["--listen", "127.0.0.1:0"]
     assert "--listen ADDR:PORT or --pty LINK" in refused(target)
-    assert "--listen ADDR:PORT or --pty LINK" in refused(target, *door, "--pty", "/tmp/x")
+    assert "--listen and --pty do not go together: give one of both" in refused(target, *door, "--pty", "/tmp/x")
     assert "must be" in refused(target, "--listen", "somewhere")
     assert ".mcap" in refused(target, *door, "-o", "a.txt")
     assert "did you mean corrupt? These do: corrupt, lose" in refused(target, *door, "--fault", "corupt")
