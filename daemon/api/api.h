@@ -73,8 +73,9 @@ class Api {
 
     /// How it stands with the recording that it plays; nothing: it plays none.
     [[nodiscard]] virtual std::optional<ReplayStatus> replay(const std::string& sensor) const = 0;
-    /// From its next scan on. Of a scanner that plays one.
-    virtual void steer_replay(const std::string& sensor, const ReplaySteering& steering) = 0;
+    /// Holds from the next scan on. The scanner must play one. Returns the status after a step.
+    virtual ReplayStatus steer_replay(const std::string& sensor,
+                                      const ReplaySteering& steering) = 0;
 
     /// The measurements of the sensor that are kept: the latest, and those of a second where
     /// somebody has asked for its truth. Nothing: there is no such sensor.

@@ -96,8 +96,7 @@ void patch_replay(Call&& call) {
     if (!replay_in(call)) return;
     const auto steering = parse_steering(call.request.body);
     if (!steering) return call.respond(bad_request(steering.error()));
-    call.api.steer_replay(sensor_of(call), *steering);
-    get_replay(std::move(call));
+    call.respond(ok(replay_document(call.api.steer_replay(sensor_of(call), *steering))));
 }
 
 }  // namespace scipd::daemon

@@ -94,14 +94,16 @@ void Replay::rebase(const ReplayTurn& turn) {
     paused_from_ = turn.number;
 }
 
-void Replay::steer(const ReplaySteering& steering, const ReplayTurn& turn) {
+ReplayStatus Replay::steer(const ReplaySteering& steering, const ReplayTurn& turn) {
     rebase(turn);
     if (steering.at) position_ = static_cast<std::int64_t>(tape_->at(*steering.at));
     if (steering.speed) speed_ = *steering.speed;
     paused_ = steering.paused.value_or(paused_);
-    if (!steering.step) return;
-    paused_ = true;
-    paused_from_ = turn.number + *steering.step;
+    if (steering.step) {
+        paused_ = true;
+        paused_from_ = turn.number + *steering.step;
+    }
+    return status({.number = paused_ ? paused_from_ : turn.number, .begins = turn.begins});
 }
 
 ReplayStatus Replay::status(const ReplayTurn& turn) const {

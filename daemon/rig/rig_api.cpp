@@ -110,11 +110,12 @@ std::optional<ReplayStatus> RigApi::replay(const std::string& sensor) const {
         [&] { return device.replay()->status(device.replay_turn(device.next_revolution())); });
 }
 
-void RigApi::steer_replay(const std::string& sensor, const ReplaySteering& steering) {
+ReplayStatus RigApi::steer_replay(const std::string& sensor, const ReplaySteering& steering) {
     const Station& station = *find_station(simulation_.stations, sensor);
     Device& device = *std::get<std::unique_ptr<Device>>(station.sensor);
-    simulation_.shards.still(
-        [&] { device.replay()->steer(steering, device.replay_turn(device.next_revolution())); });
+    return simulation_.shards.still([&] {
+        return device.replay()->steer(steering, device.replay_turn(device.next_revolution()));
+    });
 }
 
 void RigApi::ask_log(const std::string& sensor) {

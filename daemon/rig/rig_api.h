@@ -49,7 +49,7 @@ class RigApi : public Api {
     [[nodiscard]] std::optional<ReadingErrors> errors(const std::string& sensor) const override;
     sim::Expected<> set_errors(const std::string& sensor, const ReadingErrors& errors) override;
     [[nodiscard]] std::optional<ReplayStatus> replay(const std::string& sensor) const override;
-    void steer_replay(const std::string& sensor, const ReplaySteering& steering) override;
+    ReplayStatus steer_replay(const std::string& sensor, const ReplaySteering& steering) override;
     void ask_log(const std::string& sensor) override;
     std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket) override;
     std::unique_ptr<Conversation> open_view(WebSocket& page) override;

@@ -96,9 +96,10 @@ def can_be_steered(recording, programs, folder):
         at = replay("robot/scanner", "seek", "0.1")
         assert at["state"] == "paused" and abs(at["at_s"] - 0.1) < 0.11, at
         before = at["scan"]
-        replay("step", "2")
+        stepped = replay("step", "2")
+        assert (stepped["state"], stepped["scan"]) == ("paused", before + 2), stepped
         wait_for(lambda: replay()["state"] == "paused", "pause")
-        assert replay()["scan"] == before + 2, replay()
+        assert replay() == stepped, replay()
         assert replay("speed", "2")["speed"] == 2
         assert replay("play")["state"] == "playing"
 

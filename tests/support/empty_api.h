@@ -68,7 +68,9 @@ class EmptyApi : public daemon::Api {
     [[nodiscard]] std::optional<daemon::ReplayStatus> replay(const std::string&) const override {
         return {};
     }
-    void steer_replay(const std::string&, const daemon::ReplaySteering&) override {}
+    daemon::ReplayStatus steer_replay(const std::string&, const daemon::ReplaySteering&) override {
+        return {};
+    }
     void ask_log(const std::string&) override {}
     std::unique_ptr<daemon::Conversation> subscribe(const std::string& sensor,
                                                     daemon::WebSocket& socket) override {

@@ -82,6 +82,19 @@ TEST(Replay, GoesOnByStepsAndSeeks) {
     EXPECT_EQ(scan_at(replay, 50), 2U);
 }
 
+TEST(Replay, AnswersAStepWithTheStatusBehindIt) {
+    Replay replay(three_scans(), {});
+    const ReplayStatus stepped = replay.steer({.step = 2}, {0});
+    EXPECT_EQ(stepped.state, "paused");
+    EXPECT_EQ(stepped.scan, 2U);
+    EXPECT_EQ(replay.status({0}).state, "playing") << "until its scans have been shown";
+    EXPECT_EQ(replay.status({2}).scan, stepped.scan);
+    EXPECT_EQ(replay.steer({.step = 5}, {2}).state, "over");
+    const ReplayStatus sought = replay.steer({.at = 0ms, .paused = false}, {20});
+    EXPECT_EQ(sought.state, "playing");
+    EXPECT_EQ(sought.scan, 0U);
+}
+
 ReplayTurn turn_at(sim::Time begins) {
     return {0, begins};
 }
