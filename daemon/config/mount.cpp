@@ -2,12 +2,14 @@
 // Copyright The scipd authors
 #include "daemon/config/mount.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 
 #include "daemon/config/poses.h"
 #include "daemon/config/values.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {
@@ -41,7 +43,12 @@ void read_mount(const sim::YamlSection& section, SensorConfig& sensor, sim::Yaml
 }
 
 sim::Expected<> take_mount(std::string_view text, SensorConfig& sensor) {
-    if (text.find(',') != text.npos)
+    const auto commas = std::ranges::count(text, ',');
+    if (commas > 0 && commas != 5)
+        return sim::refuse(
+            "must be X,Y,Z,ROLL,PITCH,YAW or a name, not " + sim::quote(text) +
+            (commas == 2 ? "; for X,Y,Z write " + std::string(text) + ",0,0,0" : ""));
+    if (commas > 0)
         return parse_pose(text).map(
             [&](const sim::Pose& pose) { sensor.robot_from_sensor = pose; });
     return parse_named_place(text).map([&](const std::string& name) {

@@ -20,7 +20,7 @@ namespace scipd::daemon {
 void read_mount(const sim::YamlSection& section, SensorConfig& sensor, sim::YamlFaults& faults,
                 std::map<std::string, std::string>& places);
 
-/// X,Y,YAW, X,Y,Z,ROLL,PITCH,YAW or a NAME.
+/// X,Y,Z,ROLL,PITCH,YAW or a NAME. Three numbers are refused: they could be X,Y,Z or X,Y,YAW.
 [[nodiscard]] sim::Expected<> take_mount(std::string_view text, SensorConfig& sensor);
 
 }  // namespace scipd::daemon

@@ -464,6 +464,10 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
         {"--pose 1,2,x", "--pose: must be a number, not 'x'"},
         {"--pose 1,nan,2", "--pose: must be a number, not 'nan'"},
         {"--mount 0,0,inf,0,0,0", "--mount: must be a number, not 'inf'"},
+        {"--mount 0.1,0,0.2",
+         "--mount: must be X,Y,Z,ROLL,PITCH,YAW or a name, not '0.1,0,0.2'; for X,Y,Z write "
+         "0.1,0,0.2,0,0,0"},
+        {"--mount 1,2", "--mount: must be X,Y,Z,ROLL,PITCH,YAW or a name, not '1,2'"},
         {"--pose 1,,2", "--pose: must be a number, not ''"},
         {"--clock pose", "--clock: must be wall or poses, not 'pose'"},
         {"--accuracy fine", "--accuracy: must be ideal, sensor or material, not 'fine'"},
