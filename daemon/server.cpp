@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/server.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <memory>
@@ -32,6 +33,16 @@ namespace {
 
 /// What systemd waits for beside the world: a broker, say, and the backends that are measured.
 constexpr std::chrono::minutes beside_the_world{5};
+
+/// Logs how to send poses where time waits for them. In a fleet other daemons forward theirs.
+void note_that_time_waits(const Config& config) {
+    const bool fed = std::ranges::any_of(
+        config.robots, [](const RobotConfig& robot) { return robot.poses.has_value(); });
+    if (config.clock == ClockKind::wall || config.fleet || fed) return;
+    spdlog::info(
+        "clock: poses: time stands still until poses come, and no robot has a source of them; "
+        "start with --poses SOURCE, run scipctl pose stream, or send them to the WebSocket /poses");
+}
 
 }  // namespace
 
@@ -65,6 +76,7 @@ Server::Server(const Options& options)
     running_ = config;
     api_.run_as(running_, sensors_);
     rig_.simulation().choose_backends();
+    note_that_time_waits(config);
     wait_for_signal();
 }
 

@@ -5,6 +5,7 @@
 // slowly.
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -191,6 +192,24 @@ TEST(InLockstep, TimeStandsStillWithoutPosesAndAnswersComeAllTheSame) {
                "t: leaps from 100.070 s to 1000000.000 s; a second of stamps that follow it makes "
                "it the time";
     }));
+}
+
+TEST(InLockstep, WithoutASourceOfPosesTheLogSaysThatTimeStandsStill) {
+    const auto log_of = [](const std::vector<std::string>& words) {
+        const TempDir directory;
+        DaemonProcess daemon(directory, words);
+        daemon.signal(SIGTERM);
+        EXPECT_EQ(daemon.wait(), 0);
+        return daemon.standard_error();
+    };
+    const std::string still = "time stands still until poses come";
+    std::vector<std::string> words = in_lockstep();
+    EXPECT_EQ(log_of(words).find(still), std::string::npos) << "standard input is a source";
+    std::erase(words, "--poses");
+    std::erase(words, "-");
+    const std::string log = log_of(words);
+    for (const std::string& part : {still, std::string("--poses SOURCE"), std::string("scipctl")})
+        EXPECT_NE(log.find(part), std::string::npos) << log;
 }
 
 /// Both times belong to the same sweep, which takes 25 ms.
