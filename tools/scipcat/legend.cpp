@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-
-#include "tools/scipcat/marks.h"
+#include <numbers>
 
 namespace scipd::tools {
 namespace {
@@ -14,6 +13,29 @@ namespace {
 constexpr double text_size = 14.0;
 constexpr std::size_t columns = 5;
 constexpr double row_height = 22.0;
+constexpr double radius = 2.3;
+constexpr double hollow_radius = 3.4;
+constexpr double stroke_width = 1.3;
+
+void outline(const Sheet& sheet, Spot spot, Shape shape, double size) {
+    cairo_new_sub_path(sheet.context());
+    if (shape == Shape::circle)
+        return cairo_arc(sheet.context(), spot.x, spot.y, size, 0.0, 2.0 * std::numbers::pi);
+    if (shape == Shape::square)
+        return cairo_rectangle(sheet.context(), spot.x - size, spot.y - size, 2.0 * size,
+                               2.0 * size);
+    sheet.move_to({spot.x, spot.y - 1.4 * size});
+    sheet.line_to({spot.x + 1.2 * size, spot.y + size});
+    sheet.line_to({spot.x - 1.2 * size, spot.y + size});
+    cairo_close_path(sheet.context());
+}
+
+void cross(const Sheet& sheet, Spot spot, double size) {
+    sheet.move_to({spot.x - size, spot.y - size});
+    sheet.line_to({spot.x + size, spot.y + size});
+    sheet.move_to({spot.x - size, spot.y + size});
+    sheet.line_to({spot.x + size, spot.y - size});
+}
 
 void draw_scale(const Sheet& sheet, const Legend& legend) {
     constexpr double width = 220.0;
@@ -59,6 +81,17 @@ std::vector<Entry> entries_of(const TopView& view, const Legend& legend) {
 }
 
 }  // namespace
+
+void draw_mark(const Sheet& sheet, Spot spot, const PointStyle& style, int echo, double scale) {
+    const double size = scale * (style.shape == Shape::circle ? 1.0 : 1.25);
+    if (echo == 0) {
+        outline(sheet, spot, style.shape, size * radius);
+        return sheet.fill(style.colour);
+    }
+    echo == 1 ? outline(sheet, spot, style.shape, size * hollow_radius)
+              : cross(sheet, spot, size * radius);
+    sheet.stroke(style.colour, stroke_width);
+}
 
 double height_of_names(const TopView& view, const Legend& legend) {
     const std::size_t rows = (entries_of(view, legend).size() + columns - 1) / columns;

@@ -7,7 +7,6 @@
 
 #include "tools/colours.h"
 #include "tools/scipcat/legend.h"
-#include "tools/scipcat/marks.h"
 #include "tools/scipcat/ring_labels.h"
 #include "tools/scipcat/sheet.h"
 
