@@ -6,6 +6,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import shutil
 import signal
 import socket
 import subprocess
@@ -17,6 +18,7 @@ from conftest import eventually, processes_in
 
 import scipd as package
 from scipd import Scipd, ScipdEnded, ScipdNotFound, ScipdNotReady, find_program
+from scipd.program import find_world
 
 
 def test_it_is_ready_where_it_says(room):
@@ -104,6 +106,26 @@ def test_the_program_is_found_by_SCIPD_then_PATH_then_beside_the_package(monkeyp
     built.parent.mkdir(parents=True)
     built.symlink_to(there)
     assert find_program() == str(built)
+
+
+def test_a_scene_that_ships_is_found_by_its_name(monkeypatch, tmp_path, room):
+    monkeypatch.chdir(tmp_path)
+    with Scipd(world="square_room", accuracy="ideal") as daemon:
+        assert daemon.scan().at(0) == 3.0
+        daemon.scene.load("corridor")
+        assert daemon.status["scene"].endswith("scenes/corridor.sdf")
+    assert find_world("office_map") == str(room.parent / "office_map.yaml")
+    assert find_world("there.sdf") == "there.sdf"
+    with pytest.raises(ValueError, match="no scene of that name .*; there are: corridor, crossing, .*square_room"):
+        Scipd(world="round_room")
+    # As the Debian package has them; a file of this folder comes first.
+    (tmp_path / "usr/bin").mkdir(parents=True)
+    shutil.copy(find_program(), tmp_path / "usr/bin/scipd")
+    shutil.copytree(room.parent, tmp_path / "usr/share/scipd/scenes")
+    monkeypatch.setenv("SCIPD", str(tmp_path / "usr/bin/scipd"))
+    assert find_world("depot") == str(tmp_path / "usr/share/scipd/scenes/depot.sdf")
+    (tmp_path / "depot").mkdir()
+    assert find_world("depot") == "depot"
 
 
 def test_a_crash_is_told_to_whoever_asks_next(room):

@@ -4,6 +4,7 @@
 # Time that a test has go on.
 import hashlib
 import json
+import math
 import socket
 import threading
 import time
@@ -52,6 +53,68 @@ def test_a_drive_goes_with_time(scipd, scenes, room):
     drive.stop()
     daemon.clock.run(1)
     assert daemon.robot().pose.x == pytest.approx(-0.5, abs=1e-4)
+
+
+@pytest.mark.parametrize("model, turn_ms", [("UST-10LX", 25.05), ("URG-04LX", 99.8), ("UXM-30LX-E", 49.8)])
+@pytest.mark.parametrize("links", [[], ["--tcp", "none"]], ids=["tcp", "tty"])
+def test_a_scan_is_the_next_revolution(scipd, room, model, turn_ms, links):
+    daemon = scipd(world=room, model=model, clock="poses", accuracy="ideal", args=links)
+    stamps = [daemon.scan().stamp_ms for _ in range(20)]
+    assert all(abs(after - before - turn_ms) <= 1 for before, after in zip(stamps, stamps[1:])), stamps
+    stamps = [scan.stamp_ms for scan in daemon.scans(count=20)]
+    assert len(stamps) == 20
+    assert all(abs(after - before - turn_ms) <= 1 for before, after in zip(stamps, stamps[1:])), stamps
+
+
+@pytest.mark.parametrize("in_a_stream", [False, True])
+def test_what_changes_between_two_scans_holds_for_all_of_the_next(scipd, room, in_a_stream):
+    daemon = scipd(world=room, clock="poses", accuracy="ideal")
+    scans = daemon.scans() if in_a_stream else iter(daemon.scan, None)
+    stamps = [next(scans).stamp_ms]
+    for x, y in [(1, 0), (0, 0.5), (-1, -0.5), (0.5, 1), (0, 0)]:
+        daemon.robot().pose = (x, y, 0)
+        scan = next(scans)
+        stamps.append(scan.stamp_ms)
+        assert (scan.at(-math.pi / 2), scan.at(0), scan.at(math.pi / 2)) == pytest.approx((2 + y, 3 - x, 2 - y))
+    assert all(after - before in (25, 26) for before, after in zip(stamps, stamps[1:]))
+
+
+def test_consecutive_scans_last_as_long_as_was_asked_for(scipd, room):
+    daemon = scipd(world=room, clock="poses")
+    assert len(list(daemon.scans(seconds=1))) == 40  # 25.05 ms each
+    assert list(daemon.scans(count=0)) == []
+    scans = daemon.scans("scanner")
+    first = next(scans)
+    daemon.clock.run(10)  # none is lost meanwhile, and none holds time up
+    stamps = [first.stamp_ms] + [next(scans).stamp_ms for _ in range(398)]
+    assert all(after - before in (25, 26) for before, after in zip(stamps, stamps[1:]))
+    scans.close()
+    assert daemon.sensor().status["clients"] == 0
+    with pytest.raises(ValueError, match="there is no sensor 'laser'"):
+        daemon.scans("laser")
+
+
+def test_scanners_are_read_in_step(scipd, room):
+    common = {"tcp": "127.0.0.1:0", "accuracy": "ideal", "mount": {"xyz": [0, 0, 0.25]}}
+    sensors = {"front": {"model": "UST-10LX", **common},
+               "rear": {"model": "UST-10LX", **common, "clock": {"start_ms": 16777000}},  # its stamps wrap
+               "slow": {"model": "URG-04LX", **common}}
+    daemon = scipd(config={"scene": str(room), "robots": {"robot": {"sensors": sensors}}}, clock="poses")
+    for names in (["front", "rear"], ["front", "slow"], ["rear", "slow", "front"]):
+        latest = None
+        tuples = 0
+        for scans in daemon.scans_of(names, count=12):
+            assert [scan.sensor for scan in scans] == [f"robot/{name}" for name in names]
+            begins = [daemon.truth(of=scan).time_s for scan in scans]
+            assert max(begins) - min(begins) < 0.0126, "half a revolution of the faster one"
+            pace_s, off_s = (0.0998, 0.0126) if "slow" in names else (0.02505, 0.001)
+            assert latest is None or begins[0] - latest == pytest.approx(pace_s, abs=off_s)
+            latest = begins[0]
+            tuples += 1
+        assert tuples == 12
+    for wrong in ([], ["front", "robot/front"]):
+        with pytest.raises(ValueError, match="each once"):
+            daemon.scans_of(wrong)
 
 
 def run_of(room):

@@ -31,6 +31,20 @@ def test_a_pose_is_three_or_six_numbers(daemon):
             robot.pose = wrong
 
 
+def test_degrees_are_warned_of(daemon, recwarn):
+    for pose in [(1, 0.5, math.pi), (0, 0, 0, 0, 0, 7.853981), (0, 0, 6.2)]:
+        daemon.robot().pose = pose
+    assert not recwarn.list
+    with pytest.warns(UserWarning, match=r"^90 looks like degrees, .* radians; did you mean 1\.5708\?") as warned:
+        daemon.robot().pose = (1, 0.5, 90)
+    assert warned[0].filename == __file__, "the line of the test"
+    with pytest.warns(UserWarning, match="looks like degrees"):
+        daemon.scene.move("box", (1, 1, 0, 0, 0, -45))
+    with pytest.warns(UserWarning, match="looks like degrees") as warned:
+        Trajectory.of([(0, (0, 0, 0)), (1, (0, 0, 180))])
+    assert warned[0].filename == __file__
+
+
 def test_it_drives_between_poses_that_are_far_apart(daemon):
     begin = time.monotonic()
     drive = daemon.robot().pose.play([(0, (-1, 0, 0)), (2, (1, 0, 0))], speed=2)

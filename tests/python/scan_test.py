@@ -47,6 +47,23 @@ def test_the_truth_is_that_of_the_same_turn(scipd, room):
         daemon.truth(of=scan)
 
 
+def test_consecutive_scans_come_by_the_wall_clock_too(scipd, room):
+    daemon = scipd(world=room, accuracy="ideal")
+    stamps = [scan.stamp_ms for scan in daemon.scans(count=30)]
+    assert all(after - before in (25, 26) for before, after in zip(stamps, stamps[1:]))
+    assert sum(request.startswith("ME") for request in daemon.wire.requests) == 1, "they are of one stream"
+    silent = daemon.fault("stall")
+    with pytest.raises(NoScan, match="on purpose it has: stall"):
+        next(daemon.scans(timeout_s=0.5))
+    silent.stop()
+
+
+def test_degrees_are_named(scipd, room):
+    daemon = scipd(world=room, accuracy="ideal")
+    with pytest.raises(ValueError, match=r"looks from .* rad, not to 90; .*did you mean 1\.571\?"):
+        daemon.scan().at(90)
+
+
 def test_codes_are_no_ranges():
     # The far end of this corridor is out of a URG's sight.
     with Scipd(model="URG-04LX", accuracy="ideal") as daemon:

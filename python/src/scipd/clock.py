@@ -45,6 +45,11 @@ class Clock:
         """scipd's time: seconds since its start, or in lockstep the stamp."""
         return float(self._control.get(path_of("robot", self._robots[0]))["t"])
 
+    @property
+    def lately_s(self) -> Optional[float]:
+        """A time without asking scipd, to be compared with another one of these; None: only scipd knows."""
+        return time.monotonic()
+
     def run(self, seconds: float) -> None:
         """Returns when so much time has passed."""
         time.sleep(max(0.0, seconds))
@@ -64,9 +69,16 @@ class Clock:
         """In lockstep time waits for this at each step: a recording that falls behind would lose scans."""
         self._slow.append(catch_up)
 
+    def go_without(self, catch_up: Callable[[], None]) -> None:
+        self._slow.remove(catch_up)
+
     def close(self) -> None:
         for robot in list(self._drives):
             self._end_drive(robot)
+
+    def _catch_up(self) -> None:
+        for catch_up in self._slow:
+            catch_up()
 
     def _end_drive(self, robot: str) -> None:
         drive = self._drives.pop(robot, None)
@@ -77,8 +89,12 @@ class Clock:
 class LedClock(Clock):
     """In lockstep by the poses of others, such as a simulator that sends them by UDP."""
 
+    @property
+    def lately_s(self) -> Optional[float]:
+        return None
+
     def run(self, seconds: float) -> None:
-        wait_for_time(self, self.time_s + seconds)
+        wait_for_time(self, self.time_s + seconds, self._catch_up)
 
     def place(self, kind: str, name: str, pose: Pose) -> None:
         raise ScipdError(f"the {kind} {name} cannot be put anywhere: in lockstep the source of the poses leads time, "
@@ -99,6 +115,10 @@ class LockstepClock(Clock):
         self._now_us = 0
         self._moving: Dict[str, Tuple[int, Trajectory]] = {}  # since when, and how
         self._resting: Dict[str, Pose] = {robot: self._pose("robot", robot) for robot in robots}
+
+    @property
+    def lately_s(self) -> Optional[float]:
+        return self._now_us / 1e6
 
     def run(self, seconds: float) -> None:
         end_us = self._now_us + round(max(0.0, seconds) * 1e6)
@@ -164,17 +184,16 @@ class LockstepClock(Clock):
         """A stamp takes effect with the next one, as others could move at the same stamp."""
         stamp_us = self._stamps.latest_us
         self._say(1)
-        wait_for_time(self, stamp_us / 1e6)
+        wait_for_time(self, stamp_us / 1e6, self._catch_up)
         self._stamps.check()
-        for catch_up in self._slow:
-            catch_up()
+        self._catch_up()
         for robot, (since_us, trajectory) in list(self._moving.items()):
             if (self._now_us - since_us) / 1e6 >= trajectory.seconds:
                 self._rest(robot)
 
 
-def wait_for_time(clock: Clock, until_s: float) -> None:
-    """Raises TimeStandsStill where it does not go on at all for long."""
+def wait_for_time(clock: Clock, until_s: float, catch_up: Callable[[], None]) -> None:
+    """Calls `catch_up` meanwhile. Raises TimeStandsStill where time does not go on at all for long."""
     latest: Optional[float] = None
     patience_end = pause_s = 0.0
     while True:
@@ -182,10 +201,11 @@ def wait_for_time(clock: Clock, until_s: float) -> None:
         if now >= until_s - 5e-7:
             return
         if now != latest:
-            latest, pause_s, patience_end = now, 0.0005, time.monotonic() + _PATIENCE_S
+            latest, pause_s, patience_end = now, 0.0001, time.monotonic() + _PATIENCE_S
         if time.monotonic() > patience_end:
             raise TimeStandsStill(f"time has stood still at {now:.6f} s for {_PATIENCE_S:.0f} s: a client does not "
                                   "read its scans, which holds time up, or poses of somebody else lead time")
+        catch_up()
         time.sleep(pause_s)
         pause_s = min(2 * pause_s, 0.02)
 

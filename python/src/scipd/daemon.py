@@ -10,7 +10,7 @@ import pathlib
 import shutil
 import tempfile
 import weakref
-from typing import Any, Dict, List, Optional, Sequence, Union
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 from .clock import start_clock
 from .control import Control
@@ -22,6 +22,7 @@ from .program import find_program
 from .recording import LastScans, Recording
 from .robot import Robot
 from .scan import Scan, Truth
+from .scan_series import Series, in_step, limited
 from .scene import Scene
 from .sensor import Sensor
 from .trajectory import Trajectory, TrajectoryLike
@@ -42,7 +43,8 @@ class Scipd:
     Starts scipd, and returns when it is ready. Use it as a context manager, or call close(). It ends with the process
     that made it, however that ends.
 
-    world: a file or folder as --scene has it; without one, the rescue maze. The scanner is 0.25 m up.
+    world: a file or folder as --scene has it, or the name of a scene that ships with scipd, such as "square_room";
+    without one, the rescue maze. The scanner is 0.25 m up.
     model: such as "UST-10LX" or "URG-04LX@3.3.00".
     config: a file, or a dict as a file has it, for any number of robots; then model and accuracy stand there.
     poses: a file or a source as --poses has it, or [(seconds, pose), ...]. In lockstep a file is one of TUM.
@@ -146,9 +148,25 @@ class Scipd:
                          f"there is no sensor {name!r}; there are: {', '.join(self.sensors)}")
 
     def scan(self, sensor: Optional[str] = None, timeout_s: float = 10.0) -> Scan:
-        """The next whole turn, over the wire as a driver gets it. In lockstep time goes on until it is there. Where a
-        driver has the TCP port, it comes by the tty. Raises NoScan."""
+        """The next whole revolution, over the wire as a driver gets it. In lockstep time goes on until it is there, and
+        no farther. Where a driver has the TCP port, it comes by the tty. Raises NoScan."""
         return self.sensor(sensor).scan(timeout_s)
+
+    def scans(self, sensor: Optional[str] = None, seconds: Optional[float] = None, count: Optional[int] = None,
+              timeout_s: float = 10.0) -> Iterator[Scan]:
+        """Iterates over consecutive scans, as a driver gets them in a stream: for so many seconds by the scanner's
+        stamps, or so many of them, or as long as the loop goes on. Each must come within `timeout_s`, else it raises
+        NoScan. In lockstep time stands still between them."""
+        return limited(Series(self.sensor(sensor), timeout_s), seconds, count)
+
+    def scans_of(self, sensors: Sequence[str], seconds: Optional[float] = None, count: Optional[int] = None,
+                 timeout_s: float = 10.0) -> Iterator[Tuple[Scan, ...]]:
+        """Iterates over tuples of scans of one instant, in the order of `sensors`. The slowest scanner sets the pace:
+        with each of its scans come those of the others that began nearest to it."""
+        chosen = [self.sensor(name) for name in sensors]
+        if not chosen or len({sensor.name for sensor in chosen}) < len(chosen):
+            raise ValueError(f"name one or more scanners, each once, not {list(sensors)!r}")
+        return in_step(chosen, seconds, count, timeout_s)
 
     def truth(self, sensor: Optional[str] = None, of: Optional[Scan] = None, timeout_s: float = 10.0) -> Truth:
         """What is true of the next whole turn, or of a scan that is less than a second old. No driver notices it."""

@@ -15,8 +15,8 @@ from .errors import NoScan
 
 # Has time go on a little: in lockstep nothing comes without.
 Meanwhile = Callable[[], None]
-# What needs no time to go on is there by then, in lockstep too.
-_AT_ONCE_S = 0.01
+# Patience after a step of time in lockstep: all that is due by then has been sent before the step ends.
+_AT_ONCE_S = 0.001
 _REPLY_S = 1.0
 
 
@@ -24,7 +24,7 @@ class Line:
     def __init__(self, descriptor: int, name: str) -> None:
         self.name = name
         self._descriptor = descriptor
-        self._unread = b""
+        self._unread = bytearray()
 
     @staticmethod
     def tcp(address: Tuple[str, int]) -> "Line":
@@ -63,13 +63,25 @@ class Line:
         """The next message that begins with this echo. Others, and what a line has as noise, are passed over."""
         end = time.monotonic() + timeout_s
         while True:
-            message, found, rest = self._unread.partition(b"\n\n")
-            if found:
-                self._unread = rest
+            size = self._unread.find(b"\n\n")
+            if size >= 0:
+                message = bytes(self._unread[:size])
+                del self._unread[:size + 2]
                 if message.startswith(echo.encode()):
                     return message
             else:
                 self._read(end - time.monotonic(), meanwhile, echo)
+
+    def take_in(self) -> None:
+        """Reads what has come: in lockstep, bytes that no client reads hold time up."""
+        try:
+            while select.select([self._descriptor], [], [], 0)[0]:
+                more = os.read(self._descriptor, 65536)
+                if not more:
+                    return
+                self._unread += more
+        except OSError:
+            pass  # message() reports it
 
     def _read(self, left_s: float, meanwhile: Optional[Meanwhile], echo: str) -> None:
         wait_s = max(0.0, left_s) if meanwhile is None else _AT_ONCE_S

@@ -9,6 +9,8 @@ import os
 import pathlib
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
 
+from .program import find_world
+
 PathLike = Union[str, "os.PathLike[str]"]
 ConfigLike = Union[PathLike, Mapping[str, Any]]
 
@@ -38,7 +40,7 @@ def options(folder: pathlib.Path, *, world: Optional[PathLike], model: str, conf
         raise ValueError(f"clock is 'wall' or 'poses', not {clock!r}")
     chosen: Dict[str, Optional[str]] = {
         "--control": str(folder / "control.sock"), "--http": "127.0.0.1:0", "--clock": clock,
-        "--scene": None if world is None else os.fspath(world), "--seed": None if seed is None else str(seed),
+        "--scene": None if world is None else find_world(world), "--seed": None if seed is None else str(seed),
         "--poses": poses}
     if config is None:
         chosen.update({"--model": model, "--tcp": "127.0.0.1:0", "--pty": "auto", "--accuracy": accuracy,

@@ -5,6 +5,8 @@
 from __future__ import annotations
 
 import math
+import sys
+import warnings
 from dataclasses import dataclass
 from typing import Any, Dict, Iterator, Sequence, Tuple, Union
 
@@ -29,6 +31,7 @@ class Pose:
         if len(numbers) != 6 or not all(map(math.isfinite, numbers)):
             raise ValueError(f"a pose is (x, y, yaw) or (x, y, z, roll, pitch, yaw), not {value!r}")
         x, y, z, roll, pitch, yaw = numbers
+        _warn_of_degrees((roll, pitch, yaw))
         return Pose((x, y, z), _quaternion(roll, pitch, yaw))
 
     @staticmethod
@@ -67,6 +70,23 @@ class Pose:
     def __iter__(self) -> Iterator[float]:
         """x, y, z, roll, pitch, yaw."""
         return iter((*self.xyz, *self.rpy))
+
+
+def _warn_of_degrees(angles: Vector) -> None:
+    """Where one is more than a full turn, and all have at most one decimal: as scipd does with poses of a file."""
+    if any(abs(angle) > 2 * math.pi for angle in angles) and all(round(angle, 1) == angle for angle in angles):
+        degrees = ", ".join(f"{angle:g}" for angle in angles if angle)
+        radians = ", ".join(f"{math.radians(angle):.6g}" for angle in angles if angle)
+        warnings.warn(f"{degrees} looks like degrees, but angles of a pose are radians; did you mean {radians}?",
+                      UserWarning, stacklevel=_level_of_the_test())
+
+
+def _level_of_the_test() -> int:
+    """The level, as warn() counts, of the line outside of this package that led here."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    return level
 
 
 def _quaternion(roll: float, pitch: float, yaw: float) -> Quaternion:

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
-"""Finds the program scipd: what SCIPD names, then PATH, then a build folder beside this package."""
+"""Finds the program scipd: what SCIPD names, then PATH, then a build folder beside this package. Finds the scenes that
+ship with it."""
 
 from __future__ import annotations
 
 import os
 import pathlib
+import re
 import shutil
+from typing import Dict, Union
 
 from .errors import ScipdNotFound
 
@@ -33,3 +36,29 @@ def find_program() -> str:
             return str(built)
     raise ScipdNotFound("there is no program scipd: install the package scipd, put scipd on the PATH, or let the "
                         "environment variable SCIPD name it")
+
+
+def find_world(world: Union[str, "os.PathLike[str]"]) -> str:
+    """The path of a scene that ships with scipd, such as square_room; any other world stays as it is. Raises ValueError
+    where a plain name is neither."""
+    path = os.fspath(world)
+    if not re.fullmatch(r"\w+", path) or os.path.exists(path):
+        return path
+    scenes = _scenes()
+    if path in scenes:
+        return str(scenes[path])
+    raise ValueError(f"there is no file {path!r} here, and no scene of that name ships with scipd; there are: "
+                     f"{', '.join(sorted(scenes)) or 'none'}")
+
+
+def _scenes() -> Dict[str, pathlib.Path]:
+    """By name: those of the program, which is PREFIX/bin/scipd or ROOT/build/PRESET/bin/scipd, else those of the
+    sources or of the Debian package."""
+    prefix = pathlib.Path(os.path.realpath(find_program())).parent.parent
+    for folder in (prefix / "share" / "scipd" / "scenes", prefix.parent.parent / "scenes", _ROOT / "scenes",
+                   pathlib.Path("/usr/share/scipd/scenes")):
+        maps = [file for file in folder.glob("*.yaml") if file.with_suffix(".pgm").exists()]
+        scenes = {file.stem: file for file in (*maps, *folder.glob("*.sdf"))}
+        if scenes:
+            return scenes
+    return {}

@@ -85,7 +85,9 @@ def nearest_step(angles_rad: List[float], angle_rad: float) -> int:
     step = abs(angles_rad[1] - angles_rad[0]) if len(angles_rad) > 1 else math.inf
     found = min(range(len(angles_rad)), key=lambda i: abs(angles_rad[i] - angle_rad))
     if abs(angles_rad[found] - angle_rad) > step:
-        raise ValueError(f"the scanner looks from {angles_rad[0]:.2f} to {angles_rad[-1]:.2f} rad, not to {angle_rad}")
+        degrees = f"; angles are radians: did you mean {math.radians(angle_rad):.4g}?" if abs(angle_rad) > 4 else ""
+        raise ValueError(f"the scanner looks from {angles_rad[0]:.2f} to {angles_rad[-1]:.2f} rad, not to "
+                         f"{angle_rad}{degrees}")
     return found
 
 

@@ -14,6 +14,7 @@ from .clock import Clock
 from .control import Control, quoted
 from .errors import Refused
 from .pose import Pose, PoseLike
+from .program import find_world
 
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -71,8 +72,9 @@ class Scene:
         self._control.ask("DELETE", f"/scene/models/{quoted(name)}")
 
     def load(self, world: PathLike) -> List[str]:
-        """Another world in the place of this one."""
-        return list(self._control.ask("PUT", "/scene", {"file": os.path.abspath(world)})["warnings"])
+        """Another world in the place of this one: a file or folder, or the name of a scene that ships with scipd."""
+        file = os.path.abspath(find_world(world))
+        return list(self._control.ask("PUT", "/scene", {"file": file})["warnings"])
 
     def _add_mesh(self, request: Dict[str, Any], file: pathlib.Path) -> List[str]:
         try:

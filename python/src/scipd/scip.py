@@ -25,6 +25,16 @@ class Parameters(NamedTuple):
     last_step: int
     front_step: int
     steps_per_turn: int
+    turns_per_minute: int
+
+    @property
+    def turn_s(self) -> float:
+        return 60 / self.turns_per_minute
+
+    @property
+    def sweep_s(self) -> float:
+        """From the begin of a revolution to its last step."""
+        return self.turn_s * self.last_step / self.steps_per_turn
 
 
 class Values(NamedTuple):
@@ -33,10 +43,10 @@ class Values(NamedTuple):
     intensities: Optional[List[int]]
 
 
-def scan_request(parameters: Parameters, with_intensities: bool) -> str:
-    """One scan of the next whole turn. It switches the laser on and off by itself."""
+def scan_request(parameters: Parameters, with_intensities: bool, scans: int) -> str:
+    """So many scans, from the next whole revolution on; 0: without end. It switches the laser on and off by itself."""
     command = "ME" if with_intensities else "MD"
-    return f"{command}{parameters.first_step:04}{parameters.last_step:04}01001"
+    return f"{command}{parameters.first_step:04}{parameters.last_step:04}010{scans:02}"
 
 
 def sum_is_right(line: bytes) -> bool:
@@ -59,7 +69,8 @@ def parameters_of(message: bytes) -> Parameters:
         if colon:
             fields[key] = value.rpartition(";")[0]
     try:
-        return Parameters(*(int(fields[key]) for key in ("DMIN", "DMAX", "AMIN", "AMAX", "AFRT", "ARES")))
+        return Parameters(*(int(fields[key]) for key in ("DMIN", "DMAX", "AMIN", "AMAX", "AFRT", "ARES",
+                                                      "SCAN")))
     except (KeyError, ValueError) as error:
         raise NoScan(f"the scanner has answered PP with {message[:200]!r}, which lacks {error}") from None
 

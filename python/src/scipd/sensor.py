@@ -6,20 +6,22 @@ from __future__ import annotations
 
 import json
 import time
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 from .clock import Clock
 from .control import Control, quoted
+from .conversation import Conversation, Known
 from .errors import NoScan, Refused, ScipdError
-from .line import Line, Meanwhile
+from .line import Line
 from .scan import Scan, Truth, angles_of
-from .scip import Parameters, parameters_of, scan_request, status_of, values_of
 from .websocket import WebSocket, WebSocketClosed
 
-# In lockstep time goes on so far at once, while somebody waits for a scan: less than a turn of any scanner.
+# In lockstep time goes on so far at once, while somebody waits for a truth: less than a turn of any scanner.
 _TURN_S = 0.02
 # A scanner whose TCP port somebody else uses lets a second client wait.
 _IS_FREE_S = 1.0
+# Half of the minute for which scipd keeps truths after a request for one.
+_KEEPS_S = 30.0
 # Those of a second, of the fastest scanner.
 _MOST_TURNS_KEPT = 100
 
@@ -35,8 +37,8 @@ class Sensor:
         self.host: Optional[str] = host or None
         self.port: Optional[int] = int(port) if port else None
         self.tty: Optional[str] = told.get("pty")
-        self._parameters: Optional[Parameters] = None
-        self._has_intensities = True  # until it has refused them
+        self._known = Known()
+        self._asked_s: Optional[float] = None  # when it was last asked for a truth
         self._turn: Optional[Tuple[int, int]] = None  # the step that looks ahead, and how many there are in a turn
 
     @property
@@ -50,13 +52,28 @@ class Sensor:
         return status
 
     def scan(self, timeout_s: float = 10.0) -> Scan:
-        """The next whole turn, over the wire as a driver gets it, with whatever goes wrong on purpose."""
-        meanwhile = self._meanwhile()
-        with self._line(meanwhile) as line:
+        """The next whole revolution, over the wire as a driver gets it, with whatever goes wrong on purpose."""
+        with self._conversation(timeout_s) as conversation:
             try:
-                return self._scan_by(line, timeout_s, meanwhile)
+                self._begin(conversation, 1)
+                return conversation.next_scan()
             except NoScan as error:
                 raise self._explained(error) from None
+
+    def stream(self, timeout_s: float = 10.0) -> Iterator[Scan]:
+        """Consecutive scans without end, as long as somebody iterates over them."""
+        with self._conversation(timeout_s) as conversation:
+            try:
+                self._begin(conversation, 0)
+                while True:
+                    yield conversation.next_scan()
+            except NoScan as error:
+                raise self._explained(error) from None
+
+    @property
+    def turn_s(self) -> float:
+        """The time of a revolution, once there was a scan; else 0."""
+        return self._known.parameters.turn_s if self._known.parameters else 0.0
 
     def truth(self, of: Optional[Scan] = None, timeout_s: float = 10.0) -> Truth:
         """Of the next turn; or of a scan, if that is less than a second old. No driver notices it."""
@@ -75,6 +92,10 @@ class Sensor:
 
     def keep_scans(self) -> None:
         """For a minute scipd keeps the truth of the last second."""
+        now_s = self._clock.lately_s
+        if now_s is not None and self._asked_s is not None and 0 <= now_s - self._asked_s < _KEEPS_S:
+            return
+        self._asked_s = now_s
         try:
             self._control.get(self._truth_path())
         except Refused as refused:
@@ -83,58 +104,29 @@ class Sensor:
 
     # From here on: scans.
 
-    def _meanwhile(self) -> Optional[Meanwhile]:
-        return (lambda: self._clock.run(_TURN_S)) if self._clock.leads else None
-
-    def _line(self, meanwhile: Optional[Meanwhile]) -> Line:
+    def _conversation(self, timeout_s: float) -> Conversation:
         """By TCP where that is free, else by the tty."""
         if self.port is None and self.tty is None:
             raise ScipdError(f"{self.name} is no scanner that can be reached: it has neither TCP nor a tty")
         if self.host is not None and self.port is not None:
             nobody = self.status["clients"] == 0
-            line = Line.tcp((self.host, self.port))
-            if nobody or self._is_free(line, meanwhile):
-                return line
-            line.close()
+            by_tcp = self._by(Line.tcp((self.host, self.port)), timeout_s)
+            if nobody or by_tcp.answers(_IS_FREE_S):
+                return by_tcp
+            by_tcp.close()
         if self.tty is None:
             raise NoScan(f"{self.name} serves one TCP client at a time, and another one is connected: give it a tty "
                          "(pty: auto), or ask for truth()")
-        return Line.tty(self.tty)
+        return self._by(Line.tty(self.tty), timeout_s)
 
-    def _is_free(self, line: Line, meanwhile: Optional[Meanwhile]) -> bool:
-        try:
-            line.ask("VV", _IS_FREE_S, meanwhile)
-            return True
-        except NoScan:
-            return False
+    def _by(self, line: Line, timeout_s: float) -> Conversation:
+        return Conversation(line, self._clock, self.name, self._known, timeout_s)
 
-    def _scan_by(self, line: Line, timeout_s: float, meanwhile: Optional[Meanwhile]) -> Scan:
+    def _begin(self, conversation: Conversation, scans: int) -> None:
         self.keep_scans()
-        if self._parameters is None:
-            self._parameters = parameters_of(line.ask("PP", timeout_s, meanwhile))
-            self._turn = (self._parameters.front_step, self._parameters.steps_per_turn)
-        request = scan_request(self._parameters, self._has_intensities)
-        status = status_of(line.ask(request, timeout_s, meanwhile))
-        if self._has_intensities and status in ("0E", "0F"):
-            self._has_intensities = False
-            request = scan_request(self._parameters, False)
-            status = status_of(line.ask(request, timeout_s, meanwhile))
-        if status != "00":
-            raise NoScan(f"the scanner has answered {request} with {status}")
-        # The echo of a counted stream has the scans that remain.
-        message = line.message(request[:-2], timeout_s, meanwhile)
-        if status_of(message) != "99":
-            raise NoScan(f"in the place of a scan came {status_of(message)}")
-        return self._scan_of(message)
-
-    def _scan_of(self, message: bytes) -> Scan:
-        parameters = self._parameters
-        assert parameters is not None
-        stamp_ms, sent_mm, intensities = values_of(message, self._has_intensities)
-        nearest, farthest = parameters.dmin_mm, parameters.dmax_mm
-        steps = range(parameters.first_step, parameters.first_step + len(sent_mm))
-        return Scan(self.name, [mm / 1000 if nearest <= mm <= farthest else None for mm in sent_mm], intensities,
-                    stamp_ms, angles_of(steps, parameters.front_step, parameters.steps_per_turn), sent_mm)
+        conversation.begin(scans)
+        parameters = conversation.parameters
+        self._turn = (parameters.front_step, parameters.steps_per_turn)
 
     def _explained(self, error: NoScan) -> NoScan:
         faults = [fault["kind"] for fault in self._control.get(f"/sensors/{quoted(self.name)}/faults")
