@@ -4,8 +4,8 @@
 # Runs every command of README.md and docs/ as a reader would: commands.py BIN SOURCES [PAGE...]
 #
 # The commands stand in fenced `sh` and `console` blocks. A line of `sh` is a command. In a `console` block `$ ` begins
-# a command, and its output must be what follows. A scipd that serves runs until the page starts another one. A comment
-# right above a block says what is special about it:
+# a command, and its output must be what follows. A scipd that serves runs until the page starts another one. `export`
+# holds for the rest of the page. A comment right above a block says what is special about it:
 #   <!-- not run: WHY -->        the commands cannot be run here
 #   <!-- beside: scipd ... -->   this scipd runs meanwhile
 #   <!-- ends with 2 -->         the exit code of each command
@@ -89,16 +89,13 @@ class Reader:
     def __init__(self, folder, programs, sources):
         self.folder = folder
         self.server = None
-        for name in ("scenes", "tests"):
+        for name in ("python", "scenes", "tests"):
             (folder / name).symlink_to(sources / name)
         for name in ("docs", "run", "tmp"):
             (folder / name).mkdir(mode=0o700)
         self.environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "HOME": str(folder),
-                            "XDG_RUNTIME_DIR": str(folder / "run"),
-                            # The package for Python as if it were installed.
-                            "PYTHONPATH": str(sources / "python" / "src"), "PYTHONDONTWRITEBYTECODE": "1",
-                            "PYTEST_ADDOPTS": "-p scipd.pytest_plugin -p no:cacheprovider"}
-        for name in ("RUNTIME_DIRECTORY", "SCIPD"):
+                            "XDG_RUNTIME_DIR": str(folder / "run"), "PYTHONDONTWRITEBYTECODE": "1"}
+        for name in ("RUNTIME_DIRECTORY", "SCIPD", "PYTHONPATH", "PYTEST_ADDOPTS"):
             self.environment.pop(name, None)
 
     def start(self, command, errors, output):
@@ -139,6 +136,14 @@ class Reader:
         if expected is not None and output.splitlines() != expected:
             raise Failure(f"printed\n{output}")
 
+    def export(self, command):
+        """What it changes holds for all commands that follow."""
+        process = self.start(f"{command}\nenv -0", subprocess.STDOUT, subprocess.PIPE)
+        output, _ = process.communicate(timeout=COMMAND_S)
+        if process.returncode != 0:
+            raise Failure(f"ended with {process.returncode}\n{output}")
+        self.environment.update(entry.split("=", 1) for entry in output.split("\0") if "=" in entry)
+
     def lacks(self, command):
         """An optional part."""
         return NOT_BUILT_IN in self.start(command, subprocess.STDOUT, subprocess.PIPE).communicate(timeout=COMMAND_S)[0]
@@ -166,7 +171,12 @@ class Reader:
         commands = block.commands()
         for line, command, expected in commands:
             try:
-                self.serve(command) if SERVES.search(command) else self.run(command, code, expected)
+                if command.startswith("export "):
+                    self.export(command)
+                elif SERVES.search(command):
+                    self.serve(command)
+                else:
+                    self.run(command, code, expected)
                 self.check_drive(command)
             except Failure as failure:
                 raise Failure(f"{line}: {command}\n{failure}") from None
