@@ -77,7 +77,7 @@ Message Driver::hello() {
         transport_.write("\n");
         reply = exchange("QT");
     }
-    if (!reply) give_up("QT");
+    if (!reply) give_up("QT", timed_out("answer to QT", patience_.reply, maybe_busy));
     if (reply->damage) throw damaged("QT", describe(*reply->damage));
     return *std::move(reply);
 }
@@ -126,7 +126,7 @@ ScanMessage Driver::next_scan() {
             throw Error(Kind::refused, "the stream has ended with " + describe_status(*message));
         }
     }
-    give_up("a scan");
+    give_up("a scan", timed_out("scan", patience_.scan));
 }
 
 void Driver::stop() {
@@ -162,7 +162,7 @@ void Driver::leave_adjust() {
 Message Driver::ask(std::string_view request, Status also_fine) {
     begin_listening();
     auto reply = exchange(request);
-    if (!reply) give_up(request);
+    if (!reply) give_up(request, timed_out("answer to " + std::string(request), patience_.reply));
     if (reply->damage) throw damaged(request, describe(*reply->damage));
     if (reply->status != status::ok.text() && reply->status != also_fine.text()) {
         throw Error(Kind::refused, "the scanner refused " + std::string(request) + " with " +
@@ -201,11 +201,11 @@ void Driver::begin_listening() {
     heard_.clear();
 }
 
-void Driver::give_up(std::string_view waiting_for) const {
-    const std::string what(waiting_for);
-    if (heard_.empty()) throw Error(Kind::silent, "nothing answers (waited for " + what + ")");
-    throw Error(Kind::foreign, "what answers there does not speak SCIP (waited for " + what +
-                                   ", heard \"" + printable(heard_) + "\")");
+void Driver::give_up(std::string_view waiting_for, const Error& silent) const {
+    if (heard_.empty()) throw silent;
+    throw Error(Kind::foreign, "what answers there does not speak SCIP (waited for " +
+                                   std::string(waiting_for) + ", heard \"" + printable(heard_) +
+                                   "\")");
 }
 
 }  // namespace scipd::protocol::client

@@ -74,7 +74,8 @@ class Driver {
     [[nodiscard]] std::optional<Message> receive(std::chrono::milliseconds timeout);
     [[nodiscard]] bool exhausted() const;
     void begin_listening();
-    [[noreturn]] void give_up(std::string_view waiting_for) const;
+    /// Throws `silent` where nothing at all has come.
+    [[noreturn]] void give_up(std::string_view waiting_for, const Error& silent) const;
 
     Transport& transport_;
     Patience patience_;

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #pragma once
 
+#include <chrono>
 #include <stdexcept>
 #include <string>
 
@@ -25,5 +26,18 @@ class Error : public std::runtime_error {
   private:
     Kind kind_;
 };
+
+/// A hint for the first request of a conversation.
+inline constexpr const char* maybe_busy =
+    "; a scanner serves one client at a time: is another program connected?";
+
+/// Nothing came in time: "no answer to QT within 1 s".
+[[nodiscard]] inline Error timed_out(const std::string& awaited, std::chrono::milliseconds within,
+                                     const std::string& hint = {}) {
+    const auto ms = within.count();
+    const std::string time = ms % 1000 == 0 ? std::to_string(ms / 1000) + " s"  //
+                                            : std::to_string(ms) + " ms";
+    return {Error::Kind::silent, "no " + awaited + " within " + time + hint};
+}
 
 }  // namespace scipd::protocol::client

@@ -245,6 +245,13 @@ TEST(Driver, AsksAgainWhereTheReplyHangsOnToHalfAScan) {
 TEST(Driver, SaysThatNothingAnswers) {
     ScriptTransport transport({});
     EXPECT_EQ(kind_of([&] { Driver(transport).connect(); }), Error::Kind::silent);
+    EXPECT_EQ(sentence_of([&] { Driver(transport).connect(); }),
+              "no answer to QT within 1 s; a scanner serves one client at a time: is another "
+              "program connected?");
+    EXPECT_EQ(sentence_of([&] { (void)Driver(transport).version(); }),
+              "no answer to VV within 1 s");
+    EXPECT_EQ(sentence_of([&] { (void)Driver(transport, {.scan = 1500ms}).next_scan(); }),
+              "no scan within 1500 ms");
 }
 
 TEST(Driver, SaysWhatElseAnswers) {

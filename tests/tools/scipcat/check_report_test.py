@@ -86,7 +86,7 @@ def looks_at_wrong_words(target, folder):
         assert done.returncode == 2 and sentence in done.stderr and done.stdout == "", done
     with socket.create_server(("127.0.0.1", 0)) as mute:
         done = run("tcp://127.0.0.1:%d" % mute.getsockname()[1], "--timeout", "0.1")
-        assert done.returncode == 2 and "nothing answers QT" in done.stderr, done
+        assert done.returncode == 2 and "is another program connected?" in done.stderr, done
 
 
 def looks_at_who_hangs_up():

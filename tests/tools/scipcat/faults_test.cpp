@@ -96,7 +96,8 @@ TEST(ScipcatFaults, TellsWhoDoesNotSpeakScip) {
 TEST(ScipcatFaults, TellsWhoSaysNothing) {
     const ScriptedPeer silent("");
     expect_failure({"info", silent.target(), "--timeout", "0.1"}, 1,
-                   "nothing answers (waited for QT)");
+                   "no answer to QT within 100 ms; a scanner serves one client at a time: is "
+                   "another program connected?");
 }
 
 TEST(ScipcatFaults, TellsWhoHangsUp) {

@@ -14,11 +14,8 @@ namespace scipd::tools::checks {
 namespace {
 
 using protocol::client::Error;
+using protocol::client::timed_out;
 using std::chrono::milliseconds;
-
-Error silent(const std::string& request) {
-    return {Error::Kind::silent, "nothing answers " + request};
-}
 
 /// "GD", "TM" or "%ST": a request without its parameters.
 std::string command_of(std::string_view request) {
@@ -31,11 +28,11 @@ Subject::Subject(Conversation::Place place) : wire_(std::move(place)) {
     const std::string status = status_of_quit();
     if (status.empty()) {
         const std::string& heard = wire_.got();
+        if (heard.empty())
+            throw timed_out("answer to QT", wire_.place().patience, protocol::client::maybe_busy);
         throw Error(Error::Kind::foreign,
-                    heard.empty()
-                        ? "nothing answers QT"
-                        : "what answers there does not speak SCIP (QT was answered with \"" +
-                              printable(heard) + "\")");
+                    "what answers there does not speak SCIP (QT was answered with \"" +
+                        printable(heard) + "\")");
     }
     speaks_scip1_ = status.size() == 1;
     facts_.commands.insert("QT");
@@ -163,7 +160,7 @@ Answer Subject::ask(const std::string& request) {
 
 Answer Subject::ask(std::string_view bytes, const std::string& echo) {
     auto answer = try_ask(bytes, echo);
-    if (!answer) throw silent(echo);
+    if (!answer) throw timed_out("answer to " + echo, wire_.place().patience);
     return *std::move(answer);
 }
 
