@@ -32,6 +32,8 @@ struct SensorReport {
     std::optional<ReadingErrors> errors;  ///< nothing: a camera or ranger
     std::uint64_t seed = 0;               ///< of all that it does by chance
     std::uint64_t clients = 0;            ///< connected now
+    std::vector<std::string> connected;   ///< these: HOST:PORT, or "tty"
+    std::vector<std::string> waiting;     ///< until the TCP client disconnects
     std::vector<std::string> faults;      ///< kinds of those that act now
     SensorCounts counts;
     SensorCounts counts_before;     ///< of its predecessors of the same name

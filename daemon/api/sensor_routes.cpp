@@ -76,6 +76,8 @@ Json to_json(const SensorReport& sensor) {
     told["tcp"] = or_null(sensor.tcp);
     told["pty"] = or_null(sensor.pty);
     told["clients"] = sensor.clients;
+    told["connected"] = sensor.connected;
+    told["waiting"] = sensor.waiting;
     told["faults"] = sensor.faults;
     told["scans"] = sensor.counts.scans;
     told["casts"] = casts_of(sensor.counts);

@@ -74,7 +74,7 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
       sweep_(world, robot, config, unit_.scanner(config, profile_, chance_)),
       timing_(sweep_.optics(), config.clock.phase.value_or(sim::Time::zero())),
       cold_start_(config.power_up == PowerUp::boot),
-      told_(sweep_.name()),
+      told_(sweep_.name(), clock_),
       bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {
     // The wall clock goes on meanwhile. What it reads by now would move stamps against the mirror.
     constexpr protocol::Uptime at_power_up{};

@@ -95,6 +95,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] const ScanLog& log() const { return log_; }
     void ask_log() { log_.ask(clock_.now()); }
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
+    /// Logs the clients of its ports. They must forget it before the device goes.
+    [[nodiscard]] ClientWatch& client_watch() { return told_; }
 
   private:
     class ServedClient;

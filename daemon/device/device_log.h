@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Tells the log of a scanner's boots, and who switches its laser on or off; of what happens more
-// than once a second, only how often. Lives on the shard of the scanner.
+// Logs what changes at one scanner: clients come, wait and leave, it boots, its laser is switched on
+// or off. More than 20 changes a second are suppressed, and counted once they calm down. Lives on
+// the shard of the scanner.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 
+#include "daemon/clock/clock.h"
 #include "daemon/limits/throttle.h"
+#include "daemon/link/client_watch.h"
 
 namespace scipd::daemon {
 
-class DeviceLog {
+class DeviceLog : public ClientWatch {
   public:
     enum class By { tcp_client, tty_client, fault, leaving_client, last_scan };
 
-    explicit DeviceLog(std::string name) : name_(std::move(name)) {}
+    /// `name` is what the log calls the scanner. The clock must outlive this.
+    DeviceLog(std::string name, Clock& clock) : name_(std::move(name)), clock_(clock) {}
+    DeviceLog(const DeviceLog&) = delete;
+    DeviceLog& operator=(const DeviceLog&) = delete;
+    ~DeviceLog() override { log_suppressed(); }
 
     /// It was so before anybody could ask.
     void know(bool laser_on) { laser_on_ = laser_on; }
@@ -24,11 +32,21 @@ class DeviceLog {
     /// To be called whenever the laser may have been switched.
     void laser(bool on, By by);
 
+    // ClientWatch
+    void came(const std::string& from) override;
+    void waits(const std::string& from, const std::string& served) override;
+    void left(protocol::LinkKind from, Leaving why) override;
+
   private:
+    void log(const std::string& change);
+    void log_suppressed();
+
     std::string name_;
+    Clock& clock_;
+    std::unique_ptr<Clock::Alarm> calm_;  ///< null: nothing has been suppressed yet
+    Throttle throttle_{20};
+    std::string latest_suppressed_;
     bool laser_on_ = false;
-    Throttle boots_;
-    Throttle switches_;
 };
 
 }  // namespace scipd::daemon

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Decides how often people are told of what may happen thousands of times a second: the first time
-// at once, then at most once a second, with the number of those left out. Any thread; nothing
-// shared.
+// Limits how often the log repeats similar messages: at most N a second, by default one. The next
+// message that is admitted carries the number of suppressed ones. Any thread; nothing shared.
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,21 +18,36 @@ class Throttle {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Called each time that it happens. Nothing: do not tell it now. Otherwise the text to add
-    /// when it is told, which says how many times before were not told.
+    explicit Throttle(std::size_t most_per_second = 1) : most_per_second_(most_per_second) {}
+
+    /// Called for each message. Returns the text to append to it, which counts the messages that
+    /// were suppressed before; nullopt: suppress this one, too.
     std::optional<std::string> admit(Time now) {
-        if (last_ && now - *last_ < std::chrono::seconds(1)) {
-            ++left_out_;
+        if (!second_ || now - *second_ >= std::chrono::seconds(1)) {
+            second_ = now;
+            admitted_ = 0;
+        }
+        if (admitted_ == most_per_second_) {
+            ++suppressed_;
             return std::nullopt;
         }
-        last_ = now;
-        const std::uint64_t others = std::exchange(left_out_, 0);
-        return others == 0 ? "" : " (" + std::to_string(others) + " others before)";
+        ++admitted_;
+        const std::string count = take_suppressed();
+        return count.empty() ? count : " (" + count + ")";
+    }
+
+    /// "3 similar messages suppressed"; empty: none since the last message that was admitted.
+    [[nodiscard]] std::string take_suppressed() {
+        const std::uint64_t count = std::exchange(suppressed_, 0);
+        if (count == 0) return {};
+        return std::to_string(count) + " similar message" + (count == 1 ? "" : "s") + " suppressed";
     }
 
   private:
-    std::optional<Time> last_;
-    std::uint64_t left_out_ = 0;
+    std::size_t most_per_second_;
+    std::optional<Time> second_;  ///< start of the present one
+    std::size_t admitted_ = 0;    ///< since then
+    std::uint64_t suppressed_ = 0;
 };
 
 }  // namespace scipd::daemon

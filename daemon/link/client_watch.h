@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "protocol/refusal.h"
+
 namespace scipd::daemon {
 
 /// Why a client is no longer connected.
@@ -23,7 +25,9 @@ class ClientWatch {
 
     /// `from`: HOST:PORT of a TCP client; empty: it has opened the tty.
     virtual void came(const std::string& from) = 0;
-    virtual void left(Leaving why) = 0;
+    /// A TCP client that comes in while another one, `served`, is connected.
+    virtual void waits(const std::string& from, const std::string& served) = 0;
+    virtual void left(protocol::LinkKind from, Leaving why) = 0;
 };
 
 }  // namespace scipd::daemon

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "daemon/config/link_config.h"
 #include "daemon/limits/limits.h"
@@ -38,8 +39,8 @@ class Port {
     /// std::system_error; then all is as before.
     virtual void prepare() = 0;
     /// Whoever connects from now on talks to this scanner, over a link like this; who is connected
-    /// is cut off. The line is like its link again. The scanner must live until the next serve()
-    /// or stop().
+    /// is cut off: a TCP connection is closed, a tty hangs up and comes back under its name. The
+    /// line is like its link again. The scanner must live until the next serve() or stop().
     virtual void serve(Endpoint& scanner, const LinkConfig& link) = 0;
     /// Cuts off who is connected, and is no place to connect to any more.
     virtual void stop() = 0;
@@ -51,6 +52,10 @@ class Port {
     /// tty's link.
     [[nodiscard]] virtual std::string address() const = 0;
     [[nodiscard]] virtual bool connected() const = 0;
+    /// HOST:PORT of the TCP client that is connected; empty: there is none.
+    [[nodiscard]] std::string client() const { return connected() ? client_ : std::string(); }
+    /// HOST:PORT of the TCP clients that wait until that one disconnects, the next one first.
+    [[nodiscard]] virtual std::vector<std::string> waiting() { return {}; }
     [[nodiscard]] virtual protocol::LinkKind kind() const = 0;
 
     // For faults. All may be called from within a call of the client that is connected.
@@ -64,7 +69,6 @@ class Port {
     [[nodiscard]] WireEar* ear() const { return ear_; }
     /// Null: nobody is told who comes and goes. It must outlive that.
     void set_watch(ClientWatch* watch) { watch_ = watch; }
-    [[nodiscard]] ClientWatch* watch() const { return watch_; }
     /// Ends the connection in the next turn; nothing goes either way any more. A tty hangs up and
     /// comes back under its name. The next client is welcome at once, unless the line refuses it.
     virtual void cut(Cut how) = 0;
@@ -88,11 +92,15 @@ class Port {
     virtual void follow_line() = 0;
     /// `from` as for ClientWatch.
     void tell_connected(const std::string& from) {
+        client_ = from;
         if (watch_) watch_->came(from);
         if (hook_) hook_->connected(*this);
     }
+    void tell_waits(const std::string& from) {
+        if (watch_) watch_->waits(from, client_);
+    }
     void tell_left(Leaving why) {
-        if (watch_) watch_->left(why);
+        if (watch_) watch_->left(kind(), why);
     }
 
   private:
@@ -101,6 +109,7 @@ class Port {
     LineHook* hook_ = nullptr;
     WireEar* ear_ = nullptr;
     ClientWatch* watch_ = nullptr;
+    std::string client_;  ///< the latest one
     std::shared_ptr<Connection> connection_;
     LinkCounts counts_before_;  ///< by connections that have ended
 };

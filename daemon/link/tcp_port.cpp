@@ -124,6 +124,15 @@ std::string TcpPort::address() const {
     return text_of(Address{endpoint_.address().to_string(), endpoint_.port()});
 }
 
+// Not those that have closed their side: they want answers at most.
+std::vector<std::string> TcpPort::waiting() {
+    std::vector<std::string> clients;
+    for (tcp::socket& socket : waiting_) {
+        if (!has_hung_up(socket)) clients.push_back(peer_of(socket));
+    }
+    return clients;
+}
+
 void TcpPort::cut(Cut how) {
     if (!connection()) return;
     connection()->abandon();
@@ -201,8 +210,9 @@ void TcpPort::take_in(tcp::socket socket) {
     // Where somebody else holds the socket open, it goes on listening while the line refuses.
     if (line().refuses) return reset_on_close(socket.native_handle());
     if (!connected()) return connect(std::move(socket));
-    if (make_room()) return waiting_.push_back(std::move(socket));
-    limits().refuse(Limit::scanner_connections, address());
+    if (!make_room()) return void(limits().refuse(Limit::scanner_connections, address()));
+    tell_waits(peer_of(socket));
+    waiting_.push_back(std::move(socket));
 }
 
 void TcpPort::pass_on(tcp::socket socket) {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -40,6 +41,7 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
 
     [[nodiscard]] std::string address() const override;
     [[nodiscard]] bool connected() const override { return connection() != nullptr; }
+    [[nodiscard]] std::vector<std::string> waiting() override;
     [[nodiscard]] protocol::LinkKind kind() const override { return protocol::LinkKind::network; }
     void cut(Cut how) override;
 

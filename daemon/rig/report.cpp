@@ -56,9 +56,11 @@ std::vector<std::string> kinds_that_act(const FaultInjector& faults) {
     return kinds;
 }
 
-void add(const Port& port, std::optional<std::string>& address, SensorReport& report) {
+void add(Port& port, std::optional<std::string>& address, SensorReport& report) {
     address = port.address();
-    report.clients += port.connected() ? 1 : 0;
+    if (!port.connected()) return;
+    ++report.clients;
+    report.connected.push_back(port.kind() == protocol::LinkKind::tty ? "tty" : port.client());
 }
 
 SensorReport report_of(const Station& station, const Simulation& simulation) {
@@ -81,6 +83,7 @@ SensorReport report_of(const Station& station, const Simulation& simulation) {
     if (station.faults) report.faults = kinds_that_act(*station.faults);
     if (!station.config.staring) report.errors = errors_of(station.config);
     if (station.ports.tcp) add(*station.ports.tcp, report.tcp, report);
+    if (station.ports.tcp) report.waiting = station.ports.tcp->waiting();
     if (station.ports.pty) add(*station.ports.pty, report.pty, report);
     const auto before = simulation.counted_before.find(name);
     if (before != simulation.counted_before.end()) report.counts_before = before->second;

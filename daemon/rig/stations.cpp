@@ -9,7 +9,6 @@
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
 #include "daemon/faults/fault_injector.h"
-#include "daemon/link/client_log.h"
 #include "daemon/link/port.h"
 #include "daemon/shards/shard.h"
 #include "daemon/wire/wire_log.h"
@@ -72,7 +71,9 @@ void Station::read_as(const ReadingErrors& errors) {
 void Station::retire() {
     if (faults) faults->stop_all();
     for (const auto& port : {ports.tcp, ports.pty}) {
-        if (port) port->end_connection();
+        if (!port) continue;
+        port->end_connection();
+        port->set_watch(nullptr);
     }
 }
 
@@ -100,11 +101,10 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     std::vector<std::shared_ptr<Port>> heard;
     for (const auto& port : {station->ports.tcp, station->ports.pty}) {
         if (!port) continue;
+        port->set_watch(&device.client_watch());
         served.push_back(port.get());
         heard.push_back(port);
     }
-    // Before anybody is served, since the log tells of the first as well.
-    station->client_log = std::make_unique<ClientLog>(station->name(), heard);
     station->wire_tap = std::make_unique<WireStream::Tap>(
         context.wire, station->name(),
         std::make_unique<WireTap>(device, std::move(heard), wire_log(station->name())));

@@ -26,7 +26,6 @@
 
 namespace scipd::daemon {
 
-class ClientLog;
 class Device;
 class FaultInjector;
 class StaringSensor;
@@ -53,7 +52,6 @@ struct Station {
     std::unique_ptr<ViewStream::Tap> view_tap;
     std::unique_ptr<WireStream::Tap> wire_tap;        ///< null: a camera or ranger
     std::unique_ptr<Recordings::Tap> recordings_tap;  ///< the same
-    std::unique_ptr<ClientLog> client_log;            ///< the same
 
     [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
     /// From the next measurement on it sits there on its robot.

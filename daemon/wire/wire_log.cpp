@@ -2,13 +2,13 @@
 // Copyright The scipd authors
 #include "daemon/wire/wire_log.h"
 
-#include <cstddef>
+#include <chrono>
 #include <memory>
 #include <utility>
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/limits/rate.h"
+#include "daemon/limits/throttle.h"
 
 namespace scipd::daemon {
 namespace {
@@ -18,19 +18,15 @@ class WireLog {
     explicit WireLog(std::string scanner) : scanner_(std::move(scanner)) {}
 
     void take(const WireEntry& entry) {
-        constexpr std::size_t most_in_a_second = 500;
         const auto level = entry.scan ? spdlog::level::trace : spdlog::level::debug;
         if (!spdlog::should_log(level)) return;
-        if (!rate_.admit(most_in_a_second)) return void(++left_out_);
-        const std::size_t others = std::exchange(left_out_, 0);
-        spdlog::log(level, "{}: {}{}", scanner_, line_of(entry),
-                    others == 0 ? "" : " (" + std::to_string(others) + " others before)");
+        if (const auto suppressed = throttle_.admit(std::chrono::steady_clock::now()))
+            spdlog::log(level, "{}: {}{}", scanner_, line_of(entry), *suppressed);
     }
 
   private:
     std::string scanner_;
-    Rate rate_;
-    std::size_t left_out_ = 0;
+    Throttle throttle_{500};
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 // The log of scipd as a process: that it holds nobody up, and what it tells of clients.
 #include <array>
 #include <csignal>
+#include <regex>
 #include <string>
 
 #include <fcntl.h>
@@ -67,6 +68,12 @@ class LogOfClients : public testing::Test {
         EXPECT_EQ(daemon.wait(), 0);
         return daemon.standard_error();
     }
+    static std::size_t count(const std::string& log, const std::string& words) {
+        std::size_t times = 0;
+        for (auto at = log.find(words); at != log.npos; at = log.find(words, at + 1))
+            ++times;
+        return times;
+    }
     Arguments at(const std::string& level) {
         Arguments words = on_tcp();
         words.insert(words.end(), {"--log-level", level});
@@ -87,10 +94,72 @@ TEST_F(LogOfClients, TellsWhoComesAndGoesAndWhatTheyDo) {
     ScannerWire next = ScannerWire::tcp(daemon.port());
     EXPECT_EQ(next.ask("VV"), "00");
     const std::string log = told(daemon);
-    EXPECT_THAT(log, HasSubstr("robot/scanner: a client came from 127.0.0.1:"));
+    EXPECT_THAT(log, HasSubstr("robot/scanner: client connected from 127.0.0.1:"));
     EXPECT_THAT(log, HasSubstr("robot/scanner: laser on, by the TCP client"));
-    EXPECT_THAT(log, HasSubstr("robot/scanner: the client has left: it has closed its side"));
+    EXPECT_THAT(log, HasSubstr("robot/scanner: client disconnected (closed the connection)"));
     EXPECT_THAT(log, Not(HasSubstr("hears")));
+}
+
+// All of it within much less than a second.
+TEST_F(LogOfClients, MissesNoChangeOfAClientThatComesAndGoes) {
+    DaemonProcess daemon(directory_, at("info"));
+    ASSERT_NE(daemon.ready_line(), "");
+    for (int i = 0; i < 2; ++i) {
+        ScannerWire wire = ScannerWire::tcp(daemon.port());
+        for (const char* const request : {"BM", "QT", "BM", "RS"})
+            EXPECT_EQ(wire.ask(request), "00");
+    }
+    ASSERT_TRUE(eventually([&] { return daemon.get("/sensors")[0].at("clients") == 0; }));
+    const std::string log = told(daemon);
+    EXPECT_EQ(count(log, "client connected from"), 2U) << log;
+    EXPECT_EQ(count(log, "laser on, by the TCP client"), 4U) << log;
+    EXPECT_EQ(count(log, "laser off, by the TCP client"), 4U) << log;
+    EXPECT_EQ(count(log, "client disconnected"), 2U) << log;
+    EXPECT_EQ(count(log, "suppressed"), 0U) << log;
+}
+
+TEST_F(LogOfClients, CountsWhatItLeavesOutOnceThatCalmsDown) {
+    Arguments words = at("info");
+    words.insert(words.end(), {"--timing", "ideal"});
+    DaemonProcess daemon(directory_, words);
+    ASSERT_NE(daemon.ready_line(), "");
+    ScannerWire wire = ScannerWire::tcp(daemon.port());
+    constexpr std::size_t switches = 400;
+    for (std::size_t i = 0; i < switches / 2; ++i) {
+        EXPECT_EQ(wire.ask("BM"), "00");
+        EXPECT_EQ(wire.ask("QT"), "00");
+    }
+    // While the client is still there and nothing else happens.
+    const std::string last = " suppressed, the last: laser off, by the TCP client\n";
+    ASSERT_TRUE(eventually([&] { return count(daemon.standard_error(), last) > 0; }))
+        << daemon.standard_error();
+    const std::string log = daemon.standard_error();
+    std::size_t suppressed = 0;
+    const std::regex number("(\\d+) similar messages? suppressed");
+    for (std::sregex_iterator at(log.begin(), log.end(), number), end; at != end; ++at)
+        suppressed += std::stoul((*at)[1]);
+    const std::size_t told_of = count(log, ": laser on") + count(log, ": laser off");
+    EXPECT_GE(told_of, 19U);
+    EXPECT_EQ(told_of - count(log, last) + suppressed, switches) << log;
+}
+
+TEST_F(LogOfClients, TellsWhoWaitsForWhomAndSoDoesTheStatus) {
+    DaemonProcess daemon(directory_, at("info"));
+    ASSERT_NE(daemon.ready_line(), "");
+    ScannerWire first = ScannerWire::tcp(daemon.port());
+    EXPECT_EQ(first.ask("VV"), "00");
+    const ScannerWire second = ScannerWire::tcp(daemon.port());
+    const nlohmann::json one{local_address(first)};
+    const nlohmann::json other{local_address(second)};
+    ASSERT_TRUE(eventually([&] { return daemon.get("/sensors")[0].at("waiting") == other; }));
+    EXPECT_EQ(daemon.get("/sensors")[0].at("connected"), one);
+    EXPECT_EQ(daemon.get("/sensors")[0].at("clients"), 1);
+    first.close();
+    EXPECT_TRUE(eventually([&] { return daemon.get("/sensors")[0].at("connected") == other; }));
+    EXPECT_TRUE(daemon.get("/sensors")[0].at("waiting").empty());
+    EXPECT_THAT(told(daemon),
+                HasSubstr("robot/scanner: client from " + other[0].get<std::string>() +
+                          " waits until " + one[0].get<std::string>() + " disconnects"));
 }
 
 TEST_F(LogOfClients, TellsEachRequestAndItsStatusWhereItIsToDebug) {

@@ -40,6 +40,16 @@ std::uint16_t port_of(const std::string& address) {
     return static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1)));
 }
 
+std::string local_address(const ScannerWire& wire) {
+    sockaddr_in address{};
+    socklen_t size = sizeof(address);
+    checked(::getsockname(wire.descriptor(), reinterpret_cast<sockaddr*>(&address), &size),
+            "getsockname");
+    std::array<char, INET_ADDRSTRLEN> host{};
+    ::inet_ntop(AF_INET, &address.sin_addr, host.data(), host.size());
+    return std::string(host.data()) + ":" + std::to_string(ntohs(address.sin_port));
+}
+
 ScannerWire ScannerWire::tcp(std::uint16_t port, int receive_buffer, const char* host) {
     ScannerWire wire(checked(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0), "socket"));
     if (receive_buffer > 0) {

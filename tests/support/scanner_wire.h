@@ -23,6 +23,11 @@ namespace scipd::tests {
 /// The port in an address such as 127.0.0.1:10940.
 [[nodiscard]] std::uint16_t port_of(const std::string& address);
 
+class ScannerWire;
+
+/// HOST:PORT of the client's end of a TCP connection by IPv4.
+[[nodiscard]] std::string local_address(const ScannerWire& wire);
+
 class ScannerWire : public protocol::client::Transport {
   public:
     /// Far longer than any answer takes even on a busy machine.

@@ -56,6 +56,13 @@ void print_sensors(const Json& sensors) {
     }
     print_table(std::cout, rows);
     for (const Json& sensor : sensors) {
+        const Json connected = sensor.value("connected", Json::array());
+        for (const Json& client : sensor.value("waiting", Json::array())) {
+            std::cout << text(sensor, "name") << ": client from " << client.get<std::string>()
+                      << " waits until "
+                      << (connected.empty() ? "another one" : connected[0].get<std::string>())
+                      << " disconnects: a scanner serves one TCP client at a time\n";
+        }
         const std::string warning = text(sensor, "warning");
         if (warning != "-")
             std::cout << "warning: " << text(sensor, "name") << ": " << warning << '\n';

@@ -126,6 +126,8 @@ RigReport busy_report() {
     front.state = "measuring";
     front.tcp = "127.0.0.1:10940";
     front.clients = 1;
+    front.connected = {"127.0.0.1:49152"};
+    front.waiting = {"127.0.0.1:49160"};
     front.faults = {"cut", "sums"};
     front.counts.scans = 4000;
     front.counts.casts = {{"embree", {4001, {}}}, {"depth", {2, {}}}};
@@ -162,7 +164,9 @@ constexpr const char* front_text =
     R"("errors":{"accuracy":"sensor","noise":2.0,"bias":[{"range_m":1.0,"bias_m":0.01}],)"
     R"("interference":false},"seed":"18446744073709551615",)"
     R"("state":"measuring","warning":null,)"
-    R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,"faults":["cut","sums"],"scans":4000,)"
+    R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,)"
+    R"("connected":["127.0.0.1:49152"],"waiting":["127.0.0.1:49160"],)"
+    R"("faults":["cut","sums"],"scans":4000,)"
     R"("casts":{"depth":2,"embree":4001},"lost":2,"stream_lost":3,)"
     R"("lateness_ms":{"p50":0.020749,"p99":140.0,"max":140.0},)"
     R"("lateness_histogram":{"le_ms":[0.016,0.032,0.064,0.128,0.256,0.512,1.024,2.048,4.096,)"
@@ -171,7 +175,8 @@ constexpr const char* rear_text =
     R"({"name":"rescue/rear","model":"URG-04LX","backend":"reference","backend_reason":null,)"
     R"("errors":null,"seed":"0",)"
     R"("state":"idle","warning":"is inside model hull",)"
-    R"("tcp":null,"pty":"/run/scipd/rear","clients":0,"faults":[],"scans":0,)"
+    R"("tcp":null,"pty":"/run/scipd/rear","clients":0,"connected":[],"waiting":[],)"
+    R"("faults":[],"scans":0,)"
     R"("casts":{},"lost":0,"stream_lost":0,)"
     R"("lateness_ms":{"p50":null,"p99":null,"max":null},"lateness_histogram":null})";
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -21,6 +22,7 @@ namespace scipd::daemon {
 namespace {
 
 using namespace std::chrono_literals;
+using tests::local_address;
 using tests::ScannerWire;
 
 std::ptrdiff_t open_descriptors() {
@@ -123,6 +125,24 @@ TEST_F(TcpPortTest, ServesOneClientAtATime) {
     first.close();
     EXPECT_TRUE(comes(second, "PROD:UST-10LX;"));
     EXPECT_EQ(device_.clients(), 1U);
+}
+
+TEST_F(TcpPortTest, NamesWhoIsConnectedAndWhoWaits) {
+    port_->serve(device_);
+    EXPECT_EQ(port_->client(), "");
+    ScannerWire first = connect();
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+    ScannerWire second = connect();
+    ScannerWire third = connect();
+    let_them_come();
+    EXPECT_EQ(port_->client(), local_address(first));
+    EXPECT_EQ(port_->waiting(), (std::vector{local_address(second), local_address(third)}));
+    const std::string last = local_address(third);
+    second.close();
+    EXPECT_TRUE(run_until(io_, [&] { return port_->waiting() == std::vector{last}; }));
+    first.close();
+    EXPECT_TRUE(run_until(io_, [&] { return port_->client() == last; }));
+    EXPECT_TRUE(port_->waiting().empty());
 }
 
 TEST_F(TcpPortTest, LetsAFewWaitInTurnAndClosesTheOthersAtOnce) {

@@ -106,6 +106,8 @@ daemon::RigReport ControlStandIn::report() const {
                                   .tcp = "127.0.0.1:10940",
                                   .pty = {},
                                   .clients = 1,
+                                  .connected = {"127.0.0.1:49152"},
+                                  .waiting = {"127.0.0.1:49160"},
                                   .faults = {"stall", "cut", "stall"},
                                   .counts = {.scans = 4000, .lost = 2},
                                   .stream_lost = 3});

@@ -42,6 +42,8 @@ TEST(Scipctl, ShowsTheStatus) {
     EXPECT_THAT(outcome.out,
                 HasSubstr("rescue/front  UST-10LX  embree   streaming  cut, stall  1        4000   "
                           "2     3            - / - / -            127.0.0.1:10940  -\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("rescue/front: client from 127.0.0.1:49160 waits until "
+                                       "127.0.0.1:49152 disconnects: "));
 }
 
 TEST(Scipctl, HandsTheStatusOnAsItIs) {

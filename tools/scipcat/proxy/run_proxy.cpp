@@ -78,7 +78,8 @@ class Proxy final : private daemon::ClientWatch {
   private:
     // ClientWatch
     void came(const std::string& from) override;
-    void left(daemon::Leaving why) override;
+    void waits(const std::string& from, const std::string& served) override;
+    void left(protocol::LinkKind from, daemon::Leaving why) override;
 
     void make_twin();
     void hear(bool to_scanner, std::string_view bytes);
@@ -181,7 +182,12 @@ void Proxy::came(const std::string& from) {
     relay_.open();
 }
 
-void Proxy::left(daemon::Leaving why) {
+void Proxy::waits(const std::string& from, const std::string& served) {
+    spdlog::info("a driver from {} waits until {} disconnects: a scanner serves one at a time",
+                 from, served);
+}
+
+void Proxy::left(protocol::LinkKind /*from*/, daemon::Leaving why) {
     if (why == daemon::Leaving::closed) spdlog::info("the driver is gone");
     if (!wanted_.twin.empty()) second_.hand_over(Heard::What::driver_left);
 }
