@@ -67,53 +67,52 @@ PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path li
     : executor_(executor),
       path_(std::move(link)),
       again_(executor),
-      master_(executor),
-      slave_(executor),
-      opens_(executor),
-      next_(executor) {
+      now_(executor),
+      prepared_(executor),
+      opens_(executor) {
     prepare();
+    change_terminal();
     link_.emplace(path_);
-    link_->lead_to(device_path_);
+    link_->lead_to(now_.path);
 }
 
 PtyPort::~PtyPort() {
     stop();
 }
 
-void PtyPort::make_terminal() {
+void PtyPort::Terminal::make() {
     const std::string no_tty = "cannot make a pseudo-terminal";
-    give(master_, ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), no_tty);
-    checked(::grantpt(master_.native_handle()), no_tty);
-    checked(::unlockpt(master_.native_handle()), no_tty);
-    device_path_ = slave_name(master_.native_handle());
-    const std::string what = "cannot use " + device_path_.string();
-    give(slave_, open_slave(device_path_), what);
-    checked(make_raw(slave_.native_handle()), what);
-    let_group_in(slave_.native_handle());
-    // Watched from here on, so this open of our own does not count.
-    opens_.begin(device_path_);
-    ++made_;
-    watched_ = false;
+    give(master, ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), no_tty);
+    checked(::grantpt(master.native_handle()), no_tty);
+    checked(::unlockpt(master.native_handle()), no_tty);
+    path = slave_name(master.native_handle());
+    const std::string what = "cannot use " + path.string();
+    give(slave, open_slave(path), what);
+    checked(make_raw(slave.native_handle()), what);
+    let_group_in(slave.native_handle());
+    give(next, ::fcntl(master.native_handle(), F_DUPFD_CLOEXEC, 0), what);
 }
 
-void PtyPort::close_terminal() {
+void PtyPort::Terminal::close() {
     error_code ignored;
-    for (auto* const descriptor : {&next_, &master_, &slave_})
+    for (auto* const descriptor : {&next, &master, &slave})
         descriptor->close(ignored);
-    opens_.end();
 }
 
 void PtyPort::prepare() {
-    if (next_.is_open()) return;
-    const bool has_terminal = master_.is_open();
-    try {
-        if (!has_terminal) make_terminal();
-        give(next_, ::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
-             "cannot use " + device_path_.string());
-    } catch (...) {
-        if (!has_terminal) close_terminal();
-        throw;
-    }
+    if (now_.next.is_open() || prepared_.next.is_open()) return;
+    Terminal made(executor_);
+    made.make();
+    prepared_ = std::move(made);
+}
+
+// Watched from here on, so the open of our own does not count.
+void PtyPort::change_terminal() {
+    opens_.begin(prepared_.path);
+    if (link_) link_->remove();
+    now_ = std::exchange(prepared_, Terminal(executor_));
+    ++made_;
+    watched_ = false;
 }
 
 void PtyPort::serve(Endpoint& scanner, const LinkConfig& link) {
@@ -127,16 +126,17 @@ void PtyPort::serve(Endpoint& scanner, const LinkConfig& link) {
 void PtyPort::connect() {
     try {
         if (!connection()) prepare();
-        link_->lead_to(device_path_);
+        if (!connection() && prepared_.next.is_open()) change_terminal();
+        link_->lead_to(now_.path);
     } catch (const std::exception& error) {
         return connect_later(error.what());
     }
     if (!std::exchange(missing_, {}).empty()) spdlog::info("the tty {} is back", path_.string());
     if (connection()) return;
     begin(std::make_shared<Connection>(
-        std::move(next_), *scanner_, line().link,
+        std::move(now_.next), *scanner_, line().link,
         Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
-                          .client_rate = [this] { return line_rate(master_.native_handle()); },
+                          .client_rate = [this] { return line_rate(now_.master.native_handle()); },
                           .kind = protocol::LinkKind::tty}));
     if (std::exchange(watched_, true)) return;
     watch();
@@ -156,6 +156,7 @@ void PtyPort::stop() {
     scanner_ = nullptr;
     again_.cancel();
     hang_up();
+    prepared_.close();
     link_.reset();
 }
 
@@ -189,7 +190,8 @@ void PtyPort::connect_or_hang_up() {
 // Whoever has the tty open gets EIO, since the other side of it is closed.
 void PtyPort::hang_up() {
     end_connection(scanner_ ? Leaving::cut : Leaving::ended);
-    close_terminal();
+    now_.close();
+    opens_.end();
     if (link_) link_->remove();
 }
 
@@ -208,9 +210,9 @@ bool PtyPort::somebody_there() {
     const auto unread = [&] {
         // What was written may still be on its way through the kernel, where FIONREAD does not see
         // it. poll() waits for it (tty_buffer_flush_work() in Linux's n_tty_poll()).
-        pollfd input{.fd = master_.native_handle(), .events = POLLIN, .revents = 0};
+        pollfd input{.fd = now_.master.native_handle(), .events = POLLIN, .revents = 0};
         ::poll(&input, 1, 0);
-        ::ioctl(master_.native_handle(), FIONREAD, &waiting);
+        ::ioctl(now_.master.native_handle(), FIONREAD, &waiting);
         return waiting > 0 || (connection() && connection()->has_input());
     };
     const TtyOpens::News news = opens_.look([this] { return somebody_else(); }, unread);
@@ -226,16 +228,16 @@ bool PtyPort::somebody_there() {
 // may have taken it for itself (TIOCEXCL), which would keep us out.
 bool PtyPort::somebody_else() {
     int exclusive = 0;
-    ::ioctl(slave_.native_handle(), TIOCGEXCL, &exclusive);
-    ::ioctl(slave_.native_handle(), TIOCNXCL);
+    ::ioctl(now_.slave.native_handle(), TIOCGEXCL, &exclusive);
+    ::ioctl(now_.slave.native_handle(), TIOCNXCL);
     error_code ignored;
-    slave_.close(ignored);
-    pollfd other_side{.fd = master_.native_handle(), .events = 0, .revents = 0};
+    now_.slave.close(ignored);
+    pollfd other_side{.fd = now_.master.native_handle(), .events = 0, .revents = 0};
     const bool nobody = ::poll(&other_side, 1, 0) == 1 && (other_side.revents & POLLHUP) != 0;
     // Without a descriptor for it the tty hangs up, and comes back when there is one.
-    if (!hold_open(open_slave(device_path_))) cut(Cut::rst);
-    if (nobody) make_raw(slave_.native_handle());
-    if (!nobody && exclusive != 0) ::ioctl(slave_.native_handle(), TIOCEXCL);
+    if (!hold_open(open_slave(now_.path))) cut(Cut::rst);
+    if (nobody) make_raw(now_.slave.native_handle());
+    if (!nobody && exclusive != 0) ::ioctl(now_.slave.native_handle(), TIOCEXCL);
     return !nobody;
 }
 
@@ -243,7 +245,7 @@ bool PtyPort::somebody_else() {
 // tell whose bytes are whose, and neither is heard: drivers ask again, and none of them gets over
 // an answer to another one's request.
 void PtyPort::drop_input(bool waits) {
-    if (waits) ::tcflush(master_.native_handle(), TCIFLUSH);
+    if (waits) ::tcflush(now_.master.native_handle(), TCIFLUSH);
     if (connection()) connection()->drop_input();
 }
 
@@ -260,8 +262,8 @@ void PtyPort::last_one_closed() {
 // settings back. Opened before it is closed: without anybody the tty would end. Where it cannot be
 // opened the next close tries again.
 void PtyPort::clean_tty() {
-    if (hung_up(slave_.native_handle())) (void)hold_open(open_slave(device_path_));
-    const int slave = slave_.native_handle();
+    if (hung_up(now_.slave.native_handle())) (void)hold_open(open_slave(now_.path));
+    const int slave = now_.slave.native_handle();
     ::tcflush(slave, TCIFLUSH);
     ::tcflow(slave, TCOON);
     ::ioctl(slave, TIOCNXCL);
@@ -271,8 +273,8 @@ void PtyPort::clean_tty() {
 bool PtyPort::hold_open(int slave) {
     if (slave < 0) return false;
     error_code error;
-    slave_.close(error);
-    slave_.assign(slave, error);
+    now_.slave.close(error);
+    now_.slave.assign(slave, error);
     if (error) {
         ::close(slave);
         return false;
@@ -283,12 +285,13 @@ bool PtyPort::hold_open(int slave) {
 
 // Those that were cut off may keep their descriptors for long.
 void PtyPort::watch_for_hang_up() {
-    slave_.async_wait(asio::posix::stream_descriptor::wait_error,
-                      [self = shared_from_this(), made = made_](error_code error) {
-                          if (error || made != self->made_) return;
-                          self->somebody_there();
-                          if (hung_up(self->slave_.native_handle())) self->last_one_closed();
-                      });
+    now_.slave.async_wait(asio::posix::stream_descriptor::wait_error,
+                          [self = shared_from_this(), made = made_](error_code error) {
+                              if (error || made != self->made_) return;
+                              self->somebody_there();
+                              if (hung_up(self->now_.slave.native_handle()))
+                                  self->last_one_closed();
+                          });
 }
 
 }  // namespace scipd::daemon

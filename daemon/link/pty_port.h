@@ -5,7 +5,8 @@
 // like the USB scanner's CDC-ACM device: it is raw from the start, echoes nothing and accepts any
 // line speed. Like that one it goes on existing while nobody has it open, and what is sent then is
 // lost. Its last close ends what was begun on it, unless the link is configured to let that go on,
-// and leaves nothing to the next client. Where the link has a rate the tty is a serial line
+// and leaves nothing to the next client. Another scanner behind it is another device: the tty hangs
+// up, and a new one comes under its name. Where the link has a rate the tty is a serial line
 // instead: two ends understand each other only at the same rate. Lives on its shard.
 #pragma once
 
@@ -46,8 +47,23 @@ class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
     void cut(Cut how) override;
 
   private:
-    void make_terminal();
-    void close_terminal();
+    /// A pseudo-terminal. Closed: there is none.
+    struct Terminal {
+        explicit Terminal(const boost::asio::any_io_executor& executor)
+            : master(executor), slave(executor), next(executor) {}
+        /// Creates one. Throws std::system_error.
+        void make();
+        void close();
+
+        std::filesystem::path path;  ///< /dev/pts/N
+        boost::asio::posix::stream_descriptor master;
+        /// Kept open, so that the terminal's settings outlive each driver.
+        boost::asio::posix::stream_descriptor slave;
+        Connection::Descriptor next;  ///< of the connection to come; closed: that has come
+    };
+
+    /// In place of the present terminal, which hangs up. Throws std::system_error.
+    void change_terminal();
     void follow_line() override;
     void connect_or_hang_up();
     /// Tries until there is a tty under its name, or is to be none any more.
@@ -72,15 +88,12 @@ class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
     std::optional<TtyLink> link_;
     Endpoint* scanner_ = nullptr;  ///< null: stopped, or not served yet
     boost::asio::steady_timer again_;
-    std::filesystem::path device_path_;             ///< /dev/pts/N
-    int made_ = 0;                                  ///< counts its pseudo-terminals
-    bool watched_ = false;                          ///< the present one
-    boost::asio::posix::stream_descriptor master_;  ///< closed: there is no tty
-    boost::asio::posix::stream_descriptor
-        slave_;  ///< kept open, so that the terminal's settings outlive each driver
+    int made_ = 0;          ///< counts its pseudo-terminals
+    bool watched_ = false;  ///< the present one
+    Terminal now_;
+    Terminal prepared_;  ///< for the next scanner
     TtyOpens opens_;
-    Connection::Descriptor next_;  ///< of the connection to come; closed: not prepared
-    std::string missing_;          ///< why there is no tty under its name, as was told last
+    std::string missing_;  ///< why there is no tty under its name, as was told last
 };
 
 }  // namespace scipd::daemon

@@ -22,7 +22,13 @@ namespace scipd::daemon {
 // other terminals.
 void TtyOpens::begin(const std::filesystem::path& terminal) {
     const std::string what = "cannot use " + terminal.string();
-    give(events_, ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what);
+    if (events_.is_open()) {
+        ::inotify_rm_watch(events_.native_handle(), watch_);
+    } else {
+        give(events_, ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what);
+    }
+    opens_ = 0;
+    missed_ = false;
     const auto watch = [&](const std::filesystem::path& path, std::uint32_t events) {
         return checked(::inotify_add_watch(events_.native_handle(), path.c_str(), events), what);
     };

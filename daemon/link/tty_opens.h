@@ -19,7 +19,8 @@ class TtyOpens {
   public:
     explicit TtyOpens(const boost::asio::any_io_executor& executor) : events_(executor) {}
 
-    /// From now on it counts. Throws std::system_error.
+    /// Counts the opens of this terminal from now on, in place of another one. Throws
+    /// std::system_error.
     void begin(const std::filesystem::path& terminal);
     void end();
 

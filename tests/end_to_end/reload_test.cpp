@@ -254,7 +254,35 @@ TEST_F(Reload, CutsOffTheClientOfAChangedScannerOnly) {
     ScannerWire again = ScannerWire::tcp(daemon_.port(1));
     EXPECT_EQ(again.ask(stream_of_one_beam), "00");
     EXPECT_EQ(again.next_scan().distances_mm.front(), 2000U);
-    EXPECT_EQ(tty.ask("VV"), "00");
+    EXPECT_TRUE(tty.ends());
+    EXPECT_EQ(ScannerWire::tty(daemon_.tty(1)).ask("VV"), "00");
+}
+
+// A client that closes a tty which has hung up has been logged before.
+TEST_F(Reload, LogsOnceThatTheClientOfATtyHasGone) {
+    ScannerWire tty = ScannerWire::tty(daemon_.tty(1));
+    EXPECT_EQ(tty.ask("BM"), "00");
+    std::string other = rear;
+    other.replace(other.find("UTM-30LX"), 8, "UST-20LX");
+    write(front + other);
+    reload_and_wait_for("is running now");
+    EXPECT_TRUE(tty.ends());
+    tty.close();
+    {
+        ScannerWire again = ScannerWire::tty(daemon_.tty(1));
+        EXPECT_EQ(again.ask("VV"), "00");
+    }
+    ASSERT_TRUE(eventually([&] { return daemon_.get("/sensors")[1].at("clients") == 0; }));
+    daemon_.signal(SIGTERM);
+    EXPECT_EQ(daemon_.wait(), 0);
+    const std::string log = daemon_.standard_error();
+    const auto changed = log.find("client disconnected (the scanner was changed");
+    const auto closed = log.find("client disconnected (closed the tty)");
+    ASSERT_NE(changed, log.npos) << log;
+    ASSERT_NE(closed, log.npos) << log;
+    EXPECT_LT(changed, closed) << log;
+    EXPECT_EQ(log.find("client disconnected", closed + 1), log.npos) << log;
+    EXPECT_EQ(log.find("client disconnected"), changed) << log;
 }
 
 TEST_F(Reload, TellsThatAScannerReadsAsTheFileSaysAgain) {

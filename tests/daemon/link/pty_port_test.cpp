@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -54,6 +55,16 @@ class Terminal {
     int master_ = -1;
     int slave_ = -1;
     fs::path path_;
+};
+
+class CountingWatch : public ClientWatch {
+  public:
+    void came(const std::string&) override { ++came_; }
+    void waits(const std::string&, const std::string&) override {}
+    void left(protocol::LinkKind, Leaving why) override { left_.push_back(why); }
+
+    int came_ = 0;
+    std::vector<Leaving> left_;
 };
 
 class PtyPortTest : public testing::Test {
@@ -291,6 +302,40 @@ TEST_F(PtyPortTest, LeavesATtyToADriverThatHasItForItselfWhereEventsWereDropped)
     EXPECT_EQ(::ioctl(wire.descriptor(), TIOCGEXCL, &exclusive), 0);
     EXPECT_EQ(exclusive, 1);
     port->stop();
+    let_things_end();
+}
+
+TEST_F(PtyPortTest, HangsUpWhereAnotherScannerComesBehindIt) {
+    Device other{"robot", ideal_sensor("UTM-30LX"), 1, world_, clock_};
+    CountingWatch watch;
+    const auto port = make(link_);
+    port->set_watch(&watch);
+    port->serve(device_);
+    const fs::path terminal = fs::read_symlink(link_);
+    ScannerWire old = ScannerWire::tty(link_);
+    old.write("QT\n");
+    EXPECT_TRUE(comes(old, "QT\n00P\n\n"));
+    port->prepare();
+    EXPECT_EQ(fs::read_symlink(link_), terminal);
+    EXPECT_TRUE(port->connected());
+
+    port->serve(other);
+    EXPECT_FALSE(port->connected());
+    EXPECT_TRUE(old.ends());
+    EXPECT_NE(fs::read_symlink(link_), terminal);
+    EXPECT_EQ(watch.left_, std::vector{Leaving::ended});
+    ScannerWire next = ScannerWire::tty(link_);
+    next.write("QT\n");
+    EXPECT_TRUE(comes(next, "QT\n00P\n\n"));
+    EXPECT_EQ(other.clients(), 1U);
+    EXPECT_EQ(device_.clients(), 0U);
+    old.close();
+    next.close();
+    EXPECT_TRUE(run_until(io_, [&] { return !port->connected(); }));
+    EXPECT_EQ(watch.came_, 2);
+    EXPECT_EQ(watch.left_, (std::vector{Leaving::ended, Leaving::closed}));
+    port->stop();
+    EXPECT_FALSE(fs::is_symlink(link_));
     let_things_end();
 }
 
