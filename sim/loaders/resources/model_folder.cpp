@@ -56,6 +56,21 @@ std::string config_of(const fs::path& folder, std::vector<std::string>& warnings
     return {};
 }
 
+/// The <name> in this file; empty if there is none. A file that cannot be read is reported where its
+/// contents are wanted.
+std::string name_in(const fs::path& file) {
+    if (!check_plain_file(file)) return {};
+    tinyxml2::XMLDocument config;
+    try {
+        config.Parse(read_file(file, largest_config, "a name is sought here").c_str());
+    } catch (const LoadError&) {
+        return {};
+    }
+    const auto* root = config.RootElement();
+    const auto* name = root == nullptr ? nullptr : root->FirstChildElement("name");
+    return name == nullptr || name->GetText() == nullptr ? "" : name->GetText();
+}
+
 /// Whether to read `one` rather than `other`.
 bool is_better(const Version& one, const Version& other) {
     const bool reads_one = one <= newest;
@@ -92,20 +107,19 @@ Expected<> check_model(const fs::path& path, const fs::path& model) {
                   ", which has no model.config that names an SDF file");
 }
 
+bool is_model_folder(const fs::path& folder) {
+    return !in_any_case(folder, "model.config").empty() ||
+           !in_any_case(folder, "manifest.xml").empty();
+}
+
 bool calls_itself(const fs::path& folder, const std::string& name) {
-    for (const char* file : {"model.config", "manifest.xml", "package.xml"}) {
-        if (!check_plain_file(folder / file)) continue;
-        tinyxml2::XMLDocument config;
-        try {
-            config.Parse(read_file(folder / file, largest_config, "a name is sought here").c_str());
-        } catch (const LoadError&) {
-            continue;  // whoever reads it for its contents reports this
-        }
-        const auto* root = config.RootElement();
-        const auto* said = root == nullptr ? nullptr : root->FirstChildElement("name");
-        if (said != nullptr && said->GetText() != nullptr && said->GetText() == name) return true;
-    }
-    return false;
+    return !name.empty() &&
+           (name_in(folder / "model.config") == name || name_in(folder / "manifest.xml") == name ||
+            package_name(folder) == name);
+}
+
+std::string package_name(const fs::path& folder) {
+    return name_in(folder / "package.xml");
 }
 
 }  // namespace scipd::sim

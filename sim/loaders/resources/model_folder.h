@@ -23,8 +23,14 @@ std::filesystem::path model_file_of(const std::filesystem::path& path,
 [[nodiscard]] Expected<> check_model(const std::filesystem::path& path,
                                      const std::filesystem::path& model);
 
+/// Whether the folder has a model.config, or a manifest.xml, its former name.
+bool is_model_folder(const std::filesystem::path& folder);
+
 /// Whether the model.config or package.xml of a folder gives it this name. The folder's own name
 /// does not matter.
 bool calls_itself(const std::filesystem::path& folder, const std::string& name);
+
+/// The name that the package.xml of a folder gives it; empty if there is none.
+std::string package_name(const std::filesystem::path& folder);
 
 }  // namespace scipd::sim

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -54,7 +56,7 @@ bool is_there(const fs::path& path) {
 }
 
 /// Looks for a name in a folder, exactly() as it is or in another spelling.
-using Look = fs::path (*)(const fs::path& folder, const fs::path& name);
+using Look = std::function<fs::path(const fs::path& folder, const fs::path& name)>;
 
 /// A URI has %20 where a file has a blank. Some download tools keep %20 in the file names.
 fs::path with_blanks(const fs::path& folder, const fs::path& name) {
@@ -65,6 +67,9 @@ fs::path without_blanks(const fs::path& folder, const fs::path& name) {
     const std::string spelled = with_each(name.native(), " ", "%20");
     return spelled == name.native() ? fs::path{} : in_any_case(folder, spelled);
 }
+
+/// An exact name in any place is better than another spelling in an earlier one.
+const std::array<Look, 4> looks{exactly, in_any_case, with_blanks, without_blanks};
 
 /// The path of a name from Fuel in this folder, in any spelling; as it is if there is no such file.
 fs::path as_spelled_in(const fs::path& folder, const std::string& name) {
@@ -86,7 +91,7 @@ std::vector<fs::path> folders_of(std::string_view variable) {
     return folders;
 }
 
-fs::path near(const fs::path& folder, const Uri& uri, Look look) {
+fs::path near(const fs::path& folder, const Uri& uri, const Look& look) {
     const fs::path above = folder.parent_path();
     for (const auto& place : {folder, above, folder / "models", above / "models"}) {
         if (auto found = look(place, uri.name); !found.empty()) return found;
@@ -95,14 +100,10 @@ fs::path near(const fs::path& folder, const Uri& uri, Look look) {
     for (fs::path up = above.parent_path(); up.has_relative_path(); up = up.parent_path()) {
         if (auto found = look(up, uri.name); !found.empty()) return found;
     }
-    // MODEL/meshes/x, named in a file of MODEL itself, whose folder has another name.
-    const fs::path name = uri.name;
-    if (!calls_itself(folder, name.begin()->string())) return {};
-    const fs::path inside = look(folder, name.lexically_relative(*name.begin()));
-    return !inside.empty() && !fs::is_directory(inside) ? inside : fs::path{};
+    return {};
 }
 
-fs::path below(const fs::path& folder, const Uri& uri, Look look) {
+fs::path below(const fs::path& folder, const Uri& uri, const Look& look) {
     for (const auto& place : {folder, folder / "share"}) {
         if (auto found = look(place, uri.name); !found.empty()) return found;
     }
@@ -115,7 +116,8 @@ fs::path below(const fs::path& folder, const Uri& uri, Look look) {
     std::error_code error;
     std::vector<fs::path> stacks;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
-        if (is_there(entry.path() / name)) stacks.push_back(entry.path() / name);
+        if (!is_there(entry.path() / name)) continue;
+        if (auto found = look(entry.path(), name); !found.empty()) stacks.push_back(found);
     }
     // The order of a folder's entries is random, so take the first by name.
     return stacks.empty() ? fs::path{} : *std::ranges::min_element(stacks);
@@ -185,11 +187,15 @@ fs::path find_download(const Uri& uri) {
     return {};
 }
 
+std::vector<fs::path> folders_in(const char* variable) {
+    const char* value = std::getenv(variable);
+    return folders_of(value == nullptr ? "" : value);
+}
+
 std::vector<fs::path> folders_of_variables() {
     std::vector<fs::path> all;
     for (const char* variable : variables) {
-        const char* value = std::getenv(variable);
-        const auto folders = folders_of(value == nullptr ? "" : value);
+        const auto folders = folders_in(variable);
         all.insert(all.end(), folders.begin(), folders.end());
     }
     return all;
@@ -205,7 +211,9 @@ std::vector<fs::path> resource_folders() {
 }
 
 Resources::Resources(fs::path folder, std::vector<fs::path> more)
-    : folder_(std::move(folder)), search_path_(folders_of_variables()) {
+    : folder_(std::move(folder)),
+      search_path_(folders_of_variables()),
+      package_path_(folders_in("ROS_PACKAGE_PATH")) {
     search_path_.insert(search_path_.end(), more.begin(), more.end());
 }
 
@@ -217,15 +225,88 @@ fs::path Resources::find(const std::string& text, const fs::path& beside) const 
         const std::string ours = found.empty() ? name_in_folders(uri) : "";
         return ours.empty() ? found : find(std::string{"model://"}.append(ours), beside);
     }
-    // An exact name in any place is better than another spelling in an earlier one.
-    for (const Look look : {exactly, in_any_case, with_blanks, without_blanks}) {
-        if (auto found = near(beside, uri, look); !found.empty()) return found;
-        if (auto found = near(folder_, uri, look); !found.empty()) return found;
-        for (const auto& folder : search_path_) {
-            if (auto found = below(folder, uri, look); !found.empty()) return found;
+    fs::path bare;
+    for (std::size_t look = 0; look < looks.size(); ++look) {
+        for (const auto& start : {beside, folder_, fs::path{}}) {
+            Found found = once({look, start, text});
+            if (!found.path.empty()) return found.path;
+            if (bare.empty()) bare = std::move(found.bare);
         }
     }
-    return {};
+    return bare;
+}
+
+Resources::Found Resources::once(const Search& search) const {
+    if (const auto known = known_.find(search); known != known_.end()) return known->second;
+    // Enough for all worlds but those that are made to take memory.
+    constexpr std::size_t most_known = 50'000;
+    if (known_.size() >= most_known) known_.clear();
+    return known_[search] = search_for(search);
+}
+
+Resources::Found Resources::search_for(const Search& search) const {
+    const auto& [kind, start, text] = search;
+    const Uri uri{text};
+    Found found;
+    const Look look = [&, kind = kind](const fs::path& folder, const fs::path& name) {
+        fs::path path = looks[kind](folder, name);
+        std::error_code error;
+        if (!fs::is_directory(path, error) || is_model_folder(path)) return path;
+        if (found.bare.empty()) found.bare = std::move(path);
+        return fs::path{};
+    };
+    if (!start.empty()) found.path = near(start, uri, look);
+    for (std::size_t i = 0; start.empty() && found.path.empty() && i < search_path_.size(); ++i)
+        found.path = below(search_path_[i], uri, look);
+    if (!found.path.empty() || !uri.named()) return found;
+    const fs::path name = uri.name;
+    for (const fs::path& package : packages_called(name.begin()->string(), start)) {
+        found.path = looks[kind](package, name.lexically_relative(*name.begin()));
+        std::error_code error;
+        if (!found.path.empty() && !fs::is_directory(found.path, error)) return found;
+    }
+    found.path.clear();
+    return found;
+}
+
+/// The folders around `from` whose own file gives them this name, and the packages beside them; for
+/// no folder, those along the path of packages.
+std::vector<fs::path> Resources::packages_called(const std::string& name,
+                                                 const fs::path& from) const {
+    std::vector<fs::path> called;
+    const auto look_into = [&](const fs::path& folder, int levels) {
+        if (calls_itself(folder, name)) called.push_back(folder);
+        const Packages& packages = packages_below(folder, levels);
+        if (const auto package = packages.find(name); package != packages.end())
+            called.push_back(package->second);
+    };
+    for (fs::path up = from; up.has_relative_path(); up = up.parent_path())
+        look_into(up, 1);
+    constexpr int deepest = 4;
+    for (const fs::path& folder : from.empty() ? package_path_ : std::vector<fs::path>{})
+        look_into(folder, deepest);
+    return called;
+}
+
+/// No package lies in another one. A folder's entries are in random order: of two packages of one
+/// name, the first by its path counts.
+const Resources::Packages& Resources::packages_below(const fs::path& folder, int levels) const {
+    const auto [known, is_new] = packages_.try_emplace({folder, levels});
+    int left = is_new ? 50'000 : 0;  // entries to look at, far more than workspaces have
+    std::error_code error;
+    constexpr auto all = fs::directory_options::follow_directory_symlink |
+                         fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator at{folder, all, error}, end;
+         !error && at != end && left > 0; at.increment(error), --left) {
+        std::error_code unknown;
+        if (!at->is_directory(unknown)) continue;
+        const std::string name = package_name(at->path());
+        fs::path& place = known->second[name];
+        if (place.empty() || at->path() < place) place = at->path();
+        const bool hidden = at->path().filename().native().starts_with('.');
+        if (!name.empty() || hidden || at.depth() + 1 >= levels) at.disable_recursion_pending();
+    }
+    return known->second;
 }
 
 std::string Resources::not_found(const std::string& text, const fs::path& beside) const {

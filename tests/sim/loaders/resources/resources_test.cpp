@@ -89,6 +89,55 @@ TEST_F(ResourcesTest, PackagesAreFoundInTheirFolderAndOneDown) {
     EXPECT_EQ(find("package:/" + low), "");
 }
 
+// As Gazebo's search does: a folder that has the name of a model need not be one.
+TEST_F(ResourcesTest, AFolderWithoutAModelConfigIsPassedByForAModel) {
+    folder_.write("world/" + own_ + "/" + own_ + ".world", "");
+    const std::string uri = "model://" + own_;
+    EXPECT_EQ(find(uri), "world/" + own_);
+    folder_.write("far/" + own_ + "/model.config", "");
+    const Variable path{"GAZEBO_MODEL_PATH", at("far").string()};
+    EXPECT_EQ(find(uri), "far/" + own_);
+    EXPECT_EQ(find(uri + "/" + own_ + ".world"), "world/" + own_ + "/" + own_ + ".world");
+    folder_.write("stacks/stack/" + own_ + "/a.sdf", "");
+    const Variable stacks{"GAZEBO_MODEL_PATH", at("stacks").string() + ":" + at("far").string()};
+    EXPECT_EQ(find(uri), "far/" + own_);
+}
+
+std::string package_xml(const std::string& name) {
+    return "<package format='3'><name>" + name + "</name></package>";
+}
+
+TEST_F(ResourcesTest, PackagesAreFoundByTheNameInTheirPackageXml) {
+    const std::string uri = "package://" + own_ + "/meshes/a.stl";
+    folder_.write("ws/src/repository/a_folder/package.xml", package_xml(own_));
+    folder_.write("ws/src/repository/a_folder/meshes/a.stl", "");
+    EXPECT_EQ(find(uri), "");
+    {
+        const Variable path{"ROS_PACKAGE_PATH", at("ws").string()};
+        EXPECT_EQ(find(uri), "ws/src/repository/a_folder/meshes/a.stl");
+        EXPECT_EQ(find("package://" + own_ + "/meshes/b.stl"), "");
+    }
+    // Beside a package above the file, and above it.
+    const auto from = [&](const std::string& folder) {
+        const auto found = Resources{at(folder)}.find(uri, at(folder));
+        return found.empty() ? "" : found.lexically_relative(folder_.path()).string();
+    };
+    EXPECT_EQ(from("ws/src/repository/another/urdf"), "ws/src/repository/a_folder/meshes/a.stl");
+    EXPECT_EQ(from("ws/src/repository/a_folder/urdf/arm"),
+              "ws/src/repository/a_folder/meshes/a.stl");
+}
+
+// Whatever appears later is not found: the first answer holds for all that a world names.
+TEST_F(ResourcesTest, EachSearchIsMadeOnce) {
+    const Variable path{"GAZEBO_MODEL_PATH", at("far").string()};
+    const Resources resources{at("world")};
+    const std::string uri = "model://" + own_;
+    EXPECT_EQ(resources.find(uri, at("world")), "");
+    folder_.write("far/" + own_ + "/model.config", "");
+    EXPECT_EQ(resources.find(uri, at("world")), "");
+    EXPECT_EQ(Resources{at("world")}.find(uri, at("world")), at("far/" + own_));
+}
+
 TEST_F(ResourcesTest, TheCallersFoldersComeLast) {
     folder_.write("more/" + own_ + "/model.sdf", "");
     EXPECT_EQ(Resources(at("world"), {at("more")}).find("model://" + own_, at("world")),
