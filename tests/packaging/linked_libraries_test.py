@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 
-FOREIGN = re.compile(r"lib(assimp|gdal|turbojpeg)\.so")
+FOREIGN = re.compile(r"lib(assimp|gdal|tiff|turbojpeg)\.so")
 
 
 def foreign(program):
@@ -19,7 +19,7 @@ def foreign(program):
 
 def main():
     reader, *others = sys.argv[1:]
-    assert foreign(reader) == ["assimp", "turbojpeg"], f"{reader} links {foreign(reader)}"
+    assert foreign(reader) == ["assimp", "tiff", "turbojpeg"], f"{reader} links {foreign(reader)}"
     found = [f"{program} links {foreign(program)}" for program in others if foreign(program)]
     sys.exit("\n".join(found) or None)
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Reads the picture of a map: PGM (plain and raw), PNG, BMP or JPEG. The header tells how large a
-// picture is; one that is too large is refused before any memory is allocated for it. Any thread;
+// Reads the picture of a map: PGM (plain and raw), PNG, BMP, JPEG or TIFF. The header tells how
+// large a picture is; one that is too large is refused before any memory is allocated for it. Any thread;
 // nothing shared.
 #pragma once
 
@@ -29,5 +29,9 @@ MapImage read_stb_picture(std::string_view bytes);
 /// Grey stays grey; everything else becomes RGB.
 bool is_jpeg(std::string_view bytes);
 MapImage read_jpeg(std::string_view bytes);
+
+/// The first picture of the file. Grey stays grey; palettes become colours; all has 8 bits then.
+bool is_tiff(std::string_view bytes);
+MapImage read_tiff(std::string_view bytes);
 
 }  // namespace scipd::sim

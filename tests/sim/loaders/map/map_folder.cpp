@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <utility>
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -86,6 +87,53 @@ std::string bmp(int width, int height, const std::vector<int>& greys) {
            little_endian(54) + little_endian(40) + little_endian(static_cast<unsigned>(width)) +
            little_endian(static_cast<unsigned>(height)) + std::string{1, 0, 24, 0} +
            std::string(24, '\0') + rows;
+}
+
+std::string tiff(unsigned width, unsigned channels, const std::vector<int>& samples,
+                 const std::vector<std::pair<int, int>>& tags) {
+    const auto number = [](std::uint64_t value, int bytes) {
+        std::string text;
+        for (int i = 0; i < bytes; ++i)
+            text += static_cast<char>(value >> (8 * i));
+        return text;
+    };
+    // Bits, and where the strips begin and how long they are, lie behind the pixels.
+    const unsigned row = width * channels;
+    const auto rows = static_cast<unsigned>(samples.size()) / row;
+    constexpr unsigned first = 8;
+    const unsigned bits_at = first + row * rows;
+    const unsigned starts_at = bits_at + 2 * 4;
+    const unsigned sizes_at = starts_at + 4 * rows;
+    std::string pixels;
+    for (const int sample : samples)
+        pixels += static_cast<char>(sample);
+    for (unsigned i = 0; i < 4; ++i)
+        pixels += number(8, 2);
+    for (unsigned i = 0; i < rows; ++i)
+        pixels += number(first + i * row, 4);
+    for (unsigned i = 0; i < rows; ++i)
+        pixels += number(row, 4);
+    constexpr int of_16_bits = 3;
+    constexpr int of_32_bits = 4;
+    std::map<int, std::string> entries;
+    const auto add = [&](int tag, int type, unsigned count, unsigned value) {
+        entries[tag] = number(tag, 2) + number(type, 2) + number(count, 4) + number(value, 4);
+    };
+    add(256, of_32_bits, 1, width);
+    add(257, of_32_bits, 1, rows);
+    add(258, of_16_bits, channels, channels == 1 ? 8 : channels == 2 ? 8 | 8U << 16U : bits_at);
+    add(259, of_16_bits, 1, 1);  // no compression
+    add(273, of_32_bits, rows, rows == 1 ? first : starts_at);
+    add(277, of_16_bits, 1, channels);
+    add(278, of_32_bits, 1, 1);  // rows of a strip
+    add(279, of_32_bits, rows, rows == 1 ? row : sizes_at);
+    for (const auto& [tag, value] : tags)
+        add(tag, of_16_bits, 1, static_cast<unsigned>(value));
+    std::string directory = number(entries.size(), 2);
+    for (const auto& [tag, entry] : entries)
+        directory += entry;
+    return "II*" + std::string(1, '\0') + number(first + pixels.size(), 4) + pixels + directory +
+           number(0, 4);
 }
 
 std::string jpeg(int width, const std::vector<int>& greys) {

@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/backends/registry.h"
@@ -28,6 +29,11 @@ std::string odd_png(unsigned width, unsigned height, unsigned depth, unsigned co
 
 /// 24 bits a pixel, all three colours the same; a negative height puts the upper row first.
 std::string bmp(int width, int height, const std::vector<int>& greys);
+
+/// Little-endian, 8 bits a sample, in a strip for each row. `tags`: more that the header says, each
+/// a number and a value of 16 bits.
+std::string tiff(unsigned width, unsigned channels, const std::vector<int>& samples,
+                 const std::vector<std::pair<int, int>>& tags);
 
 /// A JPEG of the best quality, written by stb_image_write: blocks of 8 x 8 of one grey stay exact.
 std::string jpeg(int width, const std::vector<int>& greys);

@@ -12,6 +12,7 @@
 namespace scipd::sim {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -128,8 +129,9 @@ TEST_F(RosMapFaults, aMapThatIsTooLarge) {
 }
 
 TEST_F(RosMapFaults, brokenPictures) {
-    EXPECT_THAT(picture_faults("GIF89a"),
-                ElementsAre("a.pgm: is no PGM, PNG, BMP or JPEG; save the map as one of these"));
+    EXPECT_THAT(
+        picture_faults("GIF89a"),
+        ElementsAre("a.pgm: is no PGM, PNG, BMP, JPEG or TIFF; save the map as one of these"));
     EXPECT_THAT(picture_faults("version https://git-lfs.github.com/spec/v1\noid sha256:1\n"),
                 ElementsAre("a.pgm: is a pointer of Git LFS, no picture; fetch the file itself "
                             "with `git lfs pull`"));
@@ -166,6 +168,23 @@ TEST_F(RosMapFaults, picturesThatEndEarly) {
                 ElementsAre(HasSubstr("a.pgm: is a broken JPEG: ")));
     EXPECT_THAT(picture_faults(photo.substr(0, photo.size() / 2)),
                 ElementsAre(HasSubstr("a.pgm: is a broken JPEG: ")));
+}
+
+TEST_F(RosMapFaults, brokenTiffs) {
+    const std::string whole = tiff(3, 1, {0, 255, 0, 255, 0, 255}, {{262, 1}});
+    EXPECT_THAT(picture_faults(whole), IsEmpty());
+    for (const std::size_t size : {4U, 12U, 40U})
+        EXPECT_THAT(picture_faults(whole.substr(0, size)),
+                    ElementsAre(HasSubstr("a.pgm: is a broken TIFF")))
+            << size;
+    EXPECT_THAT(picture_faults(tiff(3, 1, {0, 255, 0}, {{262, 1}, {256, 0}})),
+                ElementsAre("a.pgm: has no pixels"));
+    // 65000 x 2 pixels of which three are there, and samples of 64 bits.
+    EXPECT_THAT(picture_faults(tiff(3, 1, {0, 255, 0, 0, 255, 0}, {{262, 1}, {256, 65000}})),
+                ElementsAre(HasSubstr("a.pgm: is a broken TIFF: ")));
+    EXPECT_THAT(picture_faults(tiff(3, 1, {0, 255, 0}, {{262, 1}, {258, 64}})),
+                ElementsAre(AllOf(HasSubstr("a.pgm: is a TIFF that cannot be read ("),
+                                  HasSubstr("save it in 8-bit grey"))));
 }
 
 TEST_F(RosMapFaults, aJpegInTheColoursOfAPrinter) {

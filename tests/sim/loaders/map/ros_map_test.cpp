@@ -294,6 +294,36 @@ TEST(RosMap, aBmp) {
     }
 }
 
+/// What a TIFF's PhotometricInterpretation says (TIFF 6.0, section 8).
+constexpr std::pair<int, int> white_is_zero{262, 0};
+constexpr std::pair<int, int> black_is_zero{262, 1};
+constexpr std::pair<int, int> rgb{262, 2};
+
+TEST(RosMap, aTiff) {
+    MapFolder files;
+    const auto row = [&](const std::string& picture, const std::string& more = "") {
+        const auto scene = files.load("a.tif", picture, yaml("a.tif", more)).scene;
+        Probe probe{scene};
+        EXPECT_LT(probe.top_m(0.5, 1.5), 0.F);
+        return probe.row(3);
+    };
+    const std::vector<int> greys{white, white, white, black, white, black};
+    EXPECT_EQ(row(tiff(3, 1, greys, {black_is_zero})), "#.#");
+    const std::vector<int> inverse{black, black, black, black, white, black};
+    EXPECT_EQ(row(tiff(3, 1, inverse, {white_is_zero})), ".#.");
+    std::vector<int> colours;
+    for (const int grey : greys)
+        colours.insert(colours.end(), {grey, grey, 0});
+    EXPECT_EQ(row(tiff(3, 3, colours, {rgb})), "#.#");
+    // The alpha of a TIFF is a sample of its own, unassociated (ExtraSamples 2), and counts in mode
+    // trinary as it does in a PNG: (0 + 0 + 0 + 255) / 4 is an occupancy of 0.75.
+    std::vector<int> with_alpha;
+    for (const int grey : greys)
+        with_alpha.insert(with_alpha.end(), {grey, grey, grey, 255});
+    EXPECT_EQ(row(tiff(3, 4, with_alpha, {rgb, {338, 2}}), "occupied_thresh: 0.74\n"), "#.#");
+    EXPECT_EQ(row(tiff(3, 4, with_alpha, {rgb, {338, 2}}), "occupied_thresh: 0.76\n"), "...");
+}
+
 TEST(RosMap, aJpeg) {
     MapFolder files;
     // Blocks of 8 x 8: black, grey of 102 and white from left to right.
