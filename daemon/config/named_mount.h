@@ -25,6 +25,7 @@ struct NamedMount {
     sim::Pose frame_from_sensor;  ///< from the named place
     bool chooses_model = false;   ///< the sensor becomes the product that fits the lidar there best
     std::string model;  ///< the world's model in which the place lies; empty: not known yet
+    std::string link;   ///< of that model: the one that carries the place, MODEL::LINK, or empty
 
     bool operator==(const NamedMount&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "sim/backends/surroundings.h"
 #include "sim/recycled.h"
 #include "sim/sensor/encounters.h"
 #include "sim/sensor/equal_parts.h"
@@ -37,6 +38,7 @@ Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::S
       robot_from_sensor_(config.robot_from_sensor),
       motion_(config.motion),
       sees_body_(config.sees_body),
+      mount_(config.mount),
       looks_around_(!config.staring && 2 * scanner.spec().beams() >= scanner.spec().steps_per_turn),
       disturbed_(config.interference),
       scanner_(std::move(scanner)),
@@ -118,23 +120,37 @@ void Sweep::cast(sim::Scan& scan, const BeamFired& fired, const sim::Conditions&
     const bool absent = track.absent(fired(0));
     const bool comes_or_goes = absent != track.absent(fired(beams() - 1));
     if (absent && !comes_or_goes) return;
-    const sim::ModelId unseen = sees_body_ ? sim::no_model : world_.body_of(robot_);
+    const sim::Unseen unseen = this->unseen();
     if (motion_) {
         cast_in_equal_parts(scan, fired, conditions, unseen);
     } else {
         cast_as_met(scan, fired, conditions, unseen);
     }
     if (comes_or_goes) return forget_absent(scan, fired);
-    world_.tell_cast({robot_, name_, scan, looks_around_});
+    world_.tell_cast({robot_, name_, scan, looks_around_, unseen.objects});
+}
+
+sim::Unseen Sweep::unseen() {
+    const sim::ModelId body = world_.body_of(robot_);
+    if (body != sim::no_model && !sees_body_) return body;
+    const sim::SharedScene& scene = world_.scene();
+    if (housed_in_.lock() == scene) return {sim::no_model, housing_};
+    // A model that cannot move is no body, yet it may carry the sensor.
+    const auto carrier = body == sim::no_model && mount_ ? sim::find_model(*scene, mount_->model)
+                                                         : std::optional(body);
+    housed_in_ = scene;
+    housing_ = sim::housing_of(*scene, carrier.value_or(sim::no_model), mount_ ? mount_->link : "",
+                               robot_from_sensor_, scanner_.directions());
+    return {sim::no_model, housing_};
 }
 
 void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
-                        sim::ModelId unseen) {
+                        const sim::Unseen& unseen) {
     sim::RangeBackend& backend = world_.backend(name_);
     if (backend.casts_apart() && !scanner_.follows_light(backend, conditions))
         return cast_apart(scan, fired, conditions, unseen);
     const std::vector<sim::Mover> movers =
-        world_.movers().all(fired(0), fired(beams() - 1), unseen);
+        world_.movers().all(fired(0), fired(beams() - 1), unseen.model);
     for (const sim::Part& part :
          sim::parts_of_sweep(optics(), scan.world_from_sensor, fired, movers)) {
         for (const auto& [mover, time] : part.updates)
@@ -144,28 +160,28 @@ void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Cond
 }
 
 void Sweep::cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
-                       sim::ModelId unseen) {
+                       const sim::Unseen& unseen) {
     sim::RangeBackend& backend = world_.backend(name_);
     const std::span<const sim::ModelId> none;
-    scanner_.cast(backend, scan, {0, beams()}, conditions, sim::no_model, none);
+    scanner_.cast(backend, scan, {0, beams()}, conditions, unseen, none);
     if (world_.movers().empty()) return;
     const sim::SensorMotion motion = sim::motion_of(scan.world_from_sensor);
     const Ball reach{motion.middle.translation_m, optics().max_range_m + motion.moved_m};
     const std::vector<sim::Mover> movers =
-        world_.movers().within(reach, fired(0), fired(beams() - 1), unseen);
+        world_.movers().within(reach, fired(0), fired(beams() - 1), unseen.model);
     if (movers.empty()) return;
     for (const auto& [index, beams, time] :
          sim::passings_of_sweep(optics(), motion, scan, fired, movers)) {
         const sim::Mover& mover = movers[index];
         backend.move(mover.id, mover.path->at(time));
-        scanner_.cast_moving(backend, scan, beams, mover.id);
+        scanner_.cast_moving(backend, scan, beams, mover.id, unseen);
     }
 }
 
 void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
-                                const sim::Conditions& conditions, sim::ModelId unseen) {
+                                const sim::Conditions& conditions, const sim::Unseen& unseen) {
     const std::vector<sim::Mover> movers =
-        world_.movers().all(fired(0), fired(beams() - 1), unseen);
+        world_.movers().all(fired(0), fired(beams() - 1), unseen.model);
     sim::RangeBackend& backend = world_.backend(name_);
     for (const auto& [part, time] : sim::equal_parts(beams(), most_poses(), fired, movers)) {
         for (const sim::Mover& mover : movers)

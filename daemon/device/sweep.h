@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "daemon/config/config.h"
+#include "daemon/config/named_mount.h"
 #include "daemon/device/measurement.h"
 #include "daemon/device/pose_shift.h"
 #include "daemon/world/world.h"
@@ -35,7 +36,10 @@ class Sweep {
     [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
     [[nodiscard]] sim::Accuracy accuracy() const { return scanner_.accuracy(); }
     /// From now on it sits there.
-    void mount(const sim::Pose& robot_from_sensor) { robot_from_sensor_ = robot_from_sensor; }
+    void mount(const sim::Pose& robot_from_sensor) {
+        robot_from_sensor_ = robot_from_sensor;
+        housed_in_.reset();
+    }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
     /// Whether what it casts depends on no other sensor, and can be cast on any thread.
     [[nodiscard]] bool stands_alone() const {
@@ -72,12 +76,14 @@ class Sweep {
     [[nodiscard]] std::vector<sim::Pose> poses_at(const std::vector<sim::Time>& times) const;
     [[nodiscard]] sim::Pose shifted_pose_at(const sim::PoseTrack& track, sim::Time time) const;
     void cast(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions);
+    /// The body, or, for a sensor that sees it, its own housing alone.
+    [[nodiscard]] sim::Unseen unseen();
     void cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
-                     sim::ModelId unseen);
+                     const sim::Unseen& unseen);
     void cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
-                    sim::ModelId unseen);
+                    const sim::Unseen& unseen);
     void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
-                             const sim::Conditions& conditions, sim::ModelId unseen);
+                             const sim::Conditions& conditions, const sim::Unseen& unseen);
     /// Finds the beams that other scanners disturb.
     void look_at_lamps(sim::Scan& scan, const BeamFired& fired) const;
     void forget_absent(sim::Scan& scan, const BeamFired& fired) const;
@@ -88,6 +94,9 @@ class Sweep {
     sim::Pose robot_from_sensor_;
     std::optional<int> motion_;
     bool sees_body_;
+    std::optional<NamedMount> mount_;
+    std::weak_ptr<const sim::Scene> housed_in_;
+    std::vector<sim::ObjectId> housing_;  ///< objects of that scene
     bool looks_around_;
     bool disturbed_;  ///< by other scanners
     PoseShift shift_;

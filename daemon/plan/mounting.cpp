@@ -144,6 +144,9 @@ class Mounting {
         const sim::Model& model = scene_.models[frame.model];
         if (auto taken = take_model(robot, model); !taken) return taken;
         sensor.mount->model = model.name;
+        // A sensor's name is that of its link and its own.
+        sensor.mount->link =
+            frame.sensor.empty() ? frame.name : frame.name.substr(0, frame.name.rfind("::"));
         sensor.robot_from_sensor = frame.model_from_frame * sensor.mount->frame_from_sensor;
         if (!frame.lidar || sensor.staring) return {};
         return look_at(*frame.lidar, robot, sensor, frame);

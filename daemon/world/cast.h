@@ -2,7 +2,10 @@
 // Copyright The scipd authors
 #pragma once
 
+#include <span>
 #include <string>
+
+#include "sim/world/scene.h"
 
 namespace scipd::sim {
 struct Scan;
@@ -15,7 +18,8 @@ struct Cast {
     const std::string& robot;
     const std::string& sensor;
     const sim::Scan& scan;
-    bool looks_around;  ///< over half a turn or more
+    bool looks_around;                            ///< over half a turn or more
+    std::span<const sim::ObjectId> housing = {};  ///< of the sensor, which its beams pass through
 };
 
 }  // namespace scipd::daemon

@@ -75,8 +75,14 @@ void PlaceGlance::see(const Cast& cast) {
     const bool jumped = glm::distance(std::exchange(seen.at_m, at_m), at_m) > jump_m;
     if (!jumped && seen.scene.lock() == scene) return;
     seen.scene = scene;
-    tell_({cast.robot, cast.sensor, scene, at_m, cast.scan.posed_at.front(),
-           all_around(cast, *scene), world_.body_of(cast.robot)});
+    tell_({cast.robot,
+           cast.sensor,
+           scene,
+           at_m,
+           cast.scan.posed_at.front(),
+           all_around(cast, *scene),
+           world_.body_of(cast.robot),
+           {cast.housing.begin(), cast.housing.end()}});
 }
 
 std::optional<std::string> PlaceWatch::warning(const std::string& sensor) const {
@@ -98,7 +104,7 @@ Worker::Work PlaceWatch::answer() {
             // The scene was replaced meanwhile; the sensor will be looked at in the new one.
             if (place.scene.lock() != scene) continue;
             std::string& warning = warnings[place.sensor];
-            const auto odd = sim::odd_place(*scene, poses, place.at_m, place.body);
+            const auto odd = sim::odd_place(*scene, poses, place.at_m, {place.body, place.housing});
             if (odd) {
                 warning = warning_of(place.robot, *odd, *scene);
             } else if (place.all_around) {

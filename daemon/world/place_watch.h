@@ -31,6 +31,7 @@ struct NewPlace {
     /// The object that all beams meet close by; nothing where they meet several or none.
     std::optional<sim::ObjectId> all_around;
     sim::ModelId body;
+    std::vector<sim::ObjectId> housing;  ///< of the sensor
 };
 
 /// Notices new places of the sensors that cast into one world.

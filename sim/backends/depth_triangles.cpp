@@ -163,7 +163,7 @@ VertexRange DepthTriangles::move(ModelId model, const Pose& anchored_from_model)
     return first < end ? VertexRange{first, end - first} : VertexRange{};
 }
 
-void DepthTriangles::collect(const Frustum& frustum, ModelId unseen,
+void DepthTriangles::collect(const Frustum& frustum, const Unseen& unseen,
                              std::vector<DrawnTriangle>& drawn) {
     missed_.resize(bodies_.size());
     const glm::vec3 eye_m = frustum.eye_m();
@@ -171,7 +171,8 @@ void DepthTriangles::collect(const Frustum& frustum, ModelId unseen,
         missed_[i] = frustum.misses(glm::vec3{middles_m_[i]} - eye_m, glm::vec3{halves_m_[i]});
     seen_.clear();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (missed_[i] != 0 || bodies_[i].model == unseen) continue;
+        if (missed_[i] != 0 || bodies_[i].model == unseen.model) continue;
+        if (unseen.has(faces_[bodies_[i].all.first].object)) continue;
         const glm::vec3 middle_m = glm::vec3{middles_m_[i]} - eye_m;
         seen_.push_back({glm::dot(middle_m, middle_m),
                          frustum.place_of(middle_m, glm::vec3{halves_m_[i]}), &bodies_[i]});

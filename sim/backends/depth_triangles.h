@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "sim/backends/fan.h"
 #include "sim/backends/frustum.h"
 #include "sim/world/scene.h"
 
@@ -94,10 +95,10 @@ class DepthTriangles {
     /// Places a movable model elsewhere. Returns which vertices have changed.
     VertexRange move(ModelId model, const Pose& anchored_from_model);
 
-    /// Adds the triangles that can be seen in the frustum, and a few that cannot, but none of the
-    /// model `unseen`. Objects are ordered by their distance from the eye, since drawing costs
+    /// Adds the triangles that can be seen in the frustum, and a few that cannot, but none that are
+    /// unseen. Objects are ordered by their distance from the eye, since drawing costs
     /// least where something nearer has been drawn before.
-    void collect(const Frustum& frustum, ModelId unseen, std::vector<DrawnTriangle>& drawn);
+    void collect(const Frustum& frustum, const Unseen& unseen, std::vector<DrawnTriangle>& drawn);
 
   private:
     /// What is needed to place a body of a movable model anew.

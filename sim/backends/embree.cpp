@@ -20,6 +20,10 @@
 namespace scipd::sim {
 namespace {
 
+/// A face that the sensor lies in, the ground of a robot's frame, say, is met at no distance by all
+/// rays along it.
+constexpr float touching_m = 1e-4F;
+
 /// One pose as the packets need it: float, relative to the anchor.
 struct View {
     View(const Pose& pose, const glm::dvec3& anchor_m)
@@ -70,9 +74,6 @@ Aim::Aim(const Fan& fan, const glm::dvec3& anchor_m, RTCRayHit16& packet)
       packet_(packet),
       ray_(packet.ray),
       view_(fan.world_from_sensor.front(), anchor_m) {
-    // A face that the sensor lies in, the ground of a robot's frame, say, is met at no distance by
-    // all rays along it.
-    constexpr float touching_m = 1e-4F;
     std::ranges::fill(ray_.tnear, touching_m);
     std::ranges::fill(ray_.mask, ~0U);
     for (std::size_t k = 0; k < packet_size; ++k)
@@ -157,6 +158,12 @@ class EmbreeBackend final : public RangeBackend {
     template <class Read>
     void trace(const Fan& fan, Read read);
 
+    /// Calls `trace(valid)`, and calls it again for the lanes that have met one of these objects,
+    /// whose rays then begin behind it, until none has.
+    template <class Trace>
+    void trace_behind(std::span<const ObjectId> objects, Lanes lanes, RTCRayHit16& packet,
+                      Trace trace) const;
+
     void read(const RTCRayHit16& packet, std::span<Hit> hits) const;
     /// Leaves hits as they are in front of which nothing was met.
     void read_met(const RTCRayHit16& packet, std::span<Hit> hits) const;
@@ -203,7 +210,7 @@ void EmbreeBackend::trace(const Fan& fan, Read read) {
     if (fan.directions.empty()) return;
     const DenormalsAsZero while_casting;
     movables_.show(fan.can_meet.value_or(movables_.all()));
-    CoherentTracer tracer{fan.unseen};
+    CoherentTracer tracer{fan.unseen.model};
     RTCRayHit16 packet{};
     Aim aim(fan, scene().anchor_m, packet);
     const std::size_t rays = fan.directions.size();
@@ -211,10 +218,45 @@ void EmbreeBackend::trace(const Fan& fan, Read read) {
         const std::size_t count = std::min(packet_size, rays - first);
         const Lanes lanes(count);
         aim.fill(first, count);
-        tracer.trace(lanes.valid, still_->scene.get(), packet);
-        movables_.trace(tracer, lanes.valid, packet);
+        trace_behind(fan.unseen.objects, lanes, packet, [&](const int* valid) {
+            tracer.trace(valid, still_->scene.get(), packet);
+            movables_.trace(tracer, valid, packet);
+        });
         read(packet, first, count);
     }
+}
+
+// A filter on the faces of all objects would slow every ray down. This costs those alone that a
+// housing surrounds.
+template <class Trace>
+void EmbreeBackend::trace_behind(std::span<const ObjectId> objects, Lanes lanes,
+                                 RTCRayHit16& packet, Trace trace) const {
+    if (objects.empty()) return trace(lanes.valid);
+    const RTCRayHit16 before = packet;
+    const auto met_one = [&](std::size_t k) {
+        return lanes.valid[k] != 0 && packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID &&
+               std::ranges::find(objects, met(packet.hit, k)) != objects.end();
+    };
+    for (bool again = true; again;) {
+        trace(lanes.valid);
+        again = false;
+        for (std::size_t k = 0; k < packet_size; ++k) {
+            lanes.valid[k] = met_one(k) ? -1 : 0;
+            if (lanes.valid[k] == 0) continue;
+            again = true;
+            // The next float would not do: Embree may find the same face again.
+            constexpr float farther = 1.0F + 1e-6F;
+            packet.ray.tnear[k] = farther * packet.ray.tfar[k] + touching_m;
+            packet.ray.tfar[k] = before.ray.tfar[k];
+            packet.hit.Ng_x[k] = before.hit.Ng_x[k];
+            packet.hit.Ng_y[k] = before.hit.Ng_y[k];
+            packet.hit.Ng_z[k] = before.hit.Ng_z[k];
+            packet.hit.geomID[k] = before.hit.geomID[k];
+            packet.hit.instID[0][k] = before.hit.instID[0][k];
+            if (packet.ray.tnear[k] >= packet.ray.tfar[k]) lanes.valid[k] = 0;
+        }
+    }
+    std::ranges::fill(packet.ray.tnear, touching_m);
 }
 
 // The fans of a sweep meet few models, and one that moves several times, each time elsewhere. To
@@ -233,7 +275,10 @@ void EmbreeBackend::do_cast_moving(const Fan& fan, std::span<Hit> hits) {
         for (std::size_t k = 0; k < count; ++k)
             packet.ray.tfar[k] = std::min(packet.ray.tfar[k], so_far[k].range_m);
         for (const ModelId model : *fan.can_meet) {
-            if (model != fan.unseen) movables_.trace_alone(model, tracer, lanes.valid, packet);
+            if (model == fan.unseen.model) continue;
+            trace_behind(fan.unseen.objects, lanes, packet, [&](const int* valid) {
+                movables_.trace_alone(model, tracer, valid, packet);
+            });
         }
         read_met(packet, so_far);
     }

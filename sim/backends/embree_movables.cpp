@@ -76,11 +76,12 @@ void EmbreeMovables::show(std::span<const ModelId> models) {
 void EmbreeMovables::trace(CoherentTracer& tracer, const int* valid, RTCRayHit16& packet) const {
     if (shown_.empty()) return;
     tracer.trace(valid, moving_.get(), packet);
-    turn_normals(packet);
+    turn_normals(valid, packet);
 }
 
-void EmbreeMovables::turn_normals(RTCRayHit16& packet) const {
+void EmbreeMovables::turn_normals(const int* valid, RTCRayHit16& packet) const {
     for (std::size_t k = 0; k < packet_size; ++k) {
+        if (valid[k] == 0) continue;
         const ModelId model = packet.hit.instID[0][k];
         if (model != RTC_INVALID_GEOMETRY_ID) set_normal(packet.hit, k, model, packet.hit);
     }

@@ -51,7 +51,7 @@ class EmbreeMovables {
     };
 
     void place(Movable& movable);
-    void turn_normals(RTCRayHit16& packet) const;
+    void turn_normals(const int* valid, RTCRayHit16& packet) const;
     /// Turns the normal of ray k from the model's frame to W.
     void set_normal(RTCHit16& hit, std::size_t k, ModelId model, const RTCHit16& in_model) const;
 

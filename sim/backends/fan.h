@@ -6,6 +6,7 @@
 // views its arrays: whoever builds it keeps them alive until the cast returns.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -19,6 +20,19 @@
 
 namespace scipd::sim {
 
+/// What rays pass through.
+struct Unseen {
+    Unseen(ModelId body = no_model, std::span<const ObjectId> some = {})
+        : model(body), objects(some) {}
+
+    ModelId model;                      ///< a movable one: the body that carries the sensor
+    std::span<const ObjectId> objects;  ///< of any model: the housing of the sensor
+
+    [[nodiscard]] bool has(ObjectId object) const {
+        return std::ranges::find(objects, object) != objects.end();
+    }
+};
+
 struct Fan {
     /// Unit vectors in S. Neighbours in the array should be neighbours in space, since backends
     /// cast packets of them.
@@ -27,8 +41,7 @@ struct Fan {
     std::span<const Pose> world_from_sensor;
     /// Backends report nothing beyond.
     float max_range_m = std::numeric_limits<float>::infinity();
-    /// A movable model that rays pass through: the body that carries the sensor.
-    ModelId unseen = no_model;
+    Unseen unseen = {};
     /// The only movable models that any of the directions can meet. Backends need not look at the
     /// others. Nothing where nobody knows: they look at all.
     std::optional<std::span<const ModelId>> can_meet = std::nullopt;

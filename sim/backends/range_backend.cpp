@@ -55,8 +55,9 @@ void RangeBackend::check([[maybe_unused]] const Fan& fan,
     assert(fan.world_from_sensor.size() == 1 ||
            fan.world_from_sensor.size() * fan.directions_per_pose == fan.directions.size());
     assert(fan.max_range_m >= 0.0F);
-    assert(fan.unseen == no_model ||
-           (fan.unseen < scene_->models.size() && scene_->models[fan.unseen].movable));
+    [[maybe_unused]] const ModelId unseen = fan.unseen.model;
+    assert(unseen == no_model ||
+           (unseen < scene_->models.size() && scene_->models[unseen].movable));
 }
 
 void RangeBackend::check_met([[maybe_unused]] std::span<const Hit> hits) const {

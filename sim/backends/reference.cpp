@@ -81,12 +81,13 @@ class ReferenceBackend final : public RangeBackend {
         glm::dvec3 world_normal{0.0};
     };
 
-    [[nodiscard]] Met first_hit(const Ray& ray, double max_range_m, ModelId unseen) const {
+    [[nodiscard]] Met first_hit(const Ray& ray, double max_range_m, const Unseen& unseen) const {
         Met met;
         Hit& hit = met.hit;
         double nearest_m = max_range_m;
         for (const Placed& placed : objects_) {
-            if (placed.object->model == unseen) continue;
+            const auto id = static_cast<ObjectId>(placed.object - scene().objects.data());
+            if (placed.object->model == unseen.model || unseen.has(id)) continue;
             if (!within_reach(ray, placed, nearest_m)) continue;
             const Pose object_from_world = inverse(placed.world_from_object);
             const Ray local{object_from_world * ray.origin_m,
@@ -100,7 +101,7 @@ class ReferenceBackend final : public RangeBackend {
                 static_cast<float>(std::abs(glm::dot(local.direction, crossing.normal)));
             met.world_normal = placed.world_from_object.rotation * crossing.normal;
             hit.material = placed.object->material;
-            hit.object = static_cast<ObjectId>(placed.object - scene().objects.data());
+            hit.object = id;
         }
         return met;
     }

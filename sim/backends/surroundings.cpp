@@ -28,12 +28,17 @@ struct PlacedObject {
     Bounds bounds;  ///< in the frame of the object
 };
 
-/// Those that are anything, less the body.
+ObjectId id_of(const Scene& scene, const PlacedObject& placed) {
+    return static_cast<ObjectId>(placed.object - scene.objects.data());
+}
+
+/// Those that are anything and are seen.
 std::vector<PlacedObject> all_placed(const Scene& scene, std::span<const Pose> world_from_model,
-                                     ModelId body) {
+                                     const Unseen& unseen) {
     std::vector<PlacedObject> all;
     for (const Object& object : scene.objects) {
-        if (object.model == body) continue;
+        const auto id = static_cast<ObjectId>(&object - scene.objects.data());
+        if (object.model == unseen.model || unseen.has(id)) continue;
         const Bounds bounds = bounds_of(object.shape);
         if (bounds.empty()) continue;
         all.push_back({&object, world_from_model[object.model] * object.model_from_object, bounds});
@@ -141,16 +146,42 @@ Parts first_thing(Parts all) {
     return {all.begin(), end};
 }
 
-bool is_inside(Parts thing, const glm::dvec3& world_at_m) {
-    const glm::dvec3 at_m = inverse(thing.front().world_from_object) * world_at_m;
+/// Whether a point of the thing's own frame lies in the box around it, or so close to that.
+bool is_near(Parts thing, const glm::dvec3& at_m, double outside_m = 0.0) {
     Bounds around;
     for (const PlacedObject& part : thing)
         around.include(part.bounds, {});
-    const bool near =
-        glm::all(glm::lessThan(around.low_m, at_m)) && glm::all(glm::lessThan(at_m, around.high_m));
-    if (!near) return false;
+    return glm::all(glm::lessThan(around.low_m - outside_m, at_m)) &&
+           glm::all(glm::lessThan(at_m, around.high_m + outside_m));
+}
+
+bool is_inside(Parts thing, const glm::dvec3& world_at_m) {
+    const glm::dvec3 at_m = inverse(thing.front().world_from_object) * world_at_m;
+    if (!is_near(thing, at_m)) return false;
     if (is_mesh(thing.front())) return in_meshes(thing, at_m);
     return std::visit(InPrimitive{at_m}, thing.front().object->shape);
+}
+
+// The housing of a sensor.
+
+/// The median range of rays to a thing that the sensor is within; infinity where it is not, or most
+/// rays do not meet it. A few rays are enough.
+double shell_radius_m(Parts thing, const Pose& model_from_sensor,
+                      std::span<const glm::vec3> directions) {
+    const glm::dvec3& at_m = model_from_sensor.translation_m;
+    const glm::dvec3 in_thing_m = inverse(thing.front().world_from_object) * at_m;
+    std::vector<double> ranges_m;
+    if (!is_near(thing, in_thing_m, margin_m)) return std::numeric_limits<double>::infinity();
+    constexpr std::size_t enough = 48;
+    const std::size_t step = std::max<std::size_t>(1, directions.size() / enough);
+    for (std::size_t i = 0; i < directions.size(); i += step) {
+        const Ray ray{at_m, model_from_sensor.rotation * glm::dvec3{directions[i]}};
+        double& range_m = ranges_m.emplace_back(std::numeric_limits<double>::infinity());
+        for (const PlacedObject& part : thing)
+            range_m = std::min(range_m, intersect(ray_in(part, ray), part.object->shape).range_m);
+    }
+    std::ranges::nth_element(ranges_m, ranges_m.begin() + ranges_m.size() / 2);
+    return ranges_m[ranges_m.size() / 2];
 }
 
 // Below the ground.
@@ -196,25 +227,52 @@ std::optional<OddPlace> below_ground(const Scene& scene, const std::vector<Place
     if (meets_any(all, {at_m, {0, 0, -1}})) return {};
     const bool says_which_side = std::holds_alternative<Plane>(above->object->shape);
     if (!says_which_side && sees_anything_below(all, at_m)) return {};
-    const auto object = static_cast<ObjectId>(above->object - scene.objects.data());
-    return OddPlace{OddPlace::Kind::below, object};
+    return OddPlace{OddPlace::Kind::below, id_of(scene, *above)};
 }
 
 }  // namespace
 
 std::optional<OddPlace> odd_place(const Scene& scene, std::span<const Pose> world_from_model,
-                                  const glm::dvec3& at_m, ModelId body) {
-    const std::vector<PlacedObject> all = all_placed(scene, world_from_model, body);
+                                  const glm::dvec3& at_m, const Unseen& unseen) {
+    const std::vector<PlacedObject> all = all_placed(scene, world_from_model, unseen);
     for (Parts rest = all; !rest.empty();) {
         const Parts thing = first_thing(rest);
         if (is_inside(thing, at_m)) {
-            const Object* const object = thing.front().object;
-            const auto id = static_cast<ObjectId>(object - scene.objects.data());
-            return OddPlace{OddPlace::Kind::inside, id};
+            return OddPlace{OddPlace::Kind::inside, id_of(scene, thing.front())};
         }
         rest = rest.subspan(thing.size());
     }
     return below_ground(scene, all, at_m);
+}
+
+std::vector<ObjectId> housing_of(const Scene& scene, ModelId carrier, const std::string& link,
+                                 const Pose& model_from_sensor,
+                                 std::span<const glm::vec3> directions) {
+    // Large scanners are 0.16 m wide.
+    constexpr double reach_m = 0.3;
+    constexpr double reach_of_others_m = 0.15;
+    std::vector<PlacedObject> parts;
+    for (const Object& object : scene.objects) {
+        if (object.model != carrier) continue;
+        const Bounds bounds = bounds_of(object.shape);
+        if (!bounds.empty()) parts.push_back({&object, object.model_from_object, bounds});
+    }
+    std::vector<ObjectId> own;
+    std::vector<ObjectId> closest;
+    double closest_m = reach_of_others_m;
+    for (Parts rest = parts; !rest.empty();) {
+        const Parts thing = first_thing(rest);
+        rest = rest.subspan(thing.size());
+        const std::string_view name = thing.front().object->name;
+        const bool is_own = name.substr(0, name.rfind("::")) == link;
+        const double radius_m = shell_radius_m(thing, model_from_sensor, directions);
+        if (radius_m > (is_own ? reach_m : closest_m)) continue;
+        if (!is_own) closest.clear();
+        if (!is_own) closest_m = radius_m;
+        for (const PlacedObject& part : thing)
+            (is_own ? own : closest).push_back(id_of(scene, part));
+    }
+    return own.empty() ? closest : own;
 }
 
 }  // namespace scipd::sim

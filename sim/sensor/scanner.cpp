@@ -57,7 +57,7 @@ Scan Scanner::begin(std::int64_t revolution, Time start,
 }
 
 void Scanner::cast(RangeBackend& backend, Scan& scan, Beams beams, const Conditions& conditions,
-                   ModelId unseen, std::optional<std::span<const ModelId>> can_meet) const {
+                   const Unseen& unseen, std::optional<std::span<const ModelId>> can_meet) const {
     Fan fan = fan_of(scan, beams);
     fan.unseen = unseen;
     fan.can_meet = can_meet;
@@ -74,8 +74,10 @@ bool Scanner::follows_light(const RangeBackend& backend, const Conditions& condi
            backend.follows_light();
 }
 
-void Scanner::cast_moving(RangeBackend& backend, Scan& scan, Beams beams, ModelId model) const {
+void Scanner::cast_moving(RangeBackend& backend, Scan& scan, Beams beams, ModelId model,
+                          const Unseen& unseen) const {
     Fan fan = fan_of(scan, beams);
+    fan.unseen = unseen;
     fan.can_meet = {&model, 1};
     backend.cast_moving(fan, hits_of(scan, beams));
 }

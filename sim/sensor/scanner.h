@@ -64,14 +64,15 @@ class Scanner {
                              std::vector<Pose> world_from_sensor) const;
     /// `beams` are counted from the first one. For `unseen` and `can_meet` see Fan.
     void cast(RangeBackend& backend, Scan& scan, Beams beams, const Conditions& conditions,
-              ModelId unseen = no_model,
+              const Unseen& unseen = {},
               std::optional<std::span<const ModelId>> can_meet = std::nullopt) const;
     /// Whether the light goes on behind what these rays meet first.
     [[nodiscard]] bool follows_light(const RangeBackend& backend,
                                      const Conditions& conditions) const;
     /// Casts one movable model in front of what beams have met. For backends that cast apart, where
     /// no light is followed.
-    void cast_moving(RangeBackend& backend, Scan& scan, Beams beams, ModelId model) const;
+    void cast_moving(RangeBackend& backend, Scan& scan, Beams beams, ModelId model,
+                     const Unseen& unseen = {}) const;
     void read(Scan& scan, const Conditions& conditions) const;
 
   private:

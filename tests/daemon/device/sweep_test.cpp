@@ -115,6 +115,30 @@ TEST_F(TurningRobot, MovesItsBodyOutOfItsOwnSightOnly) {
     EXPECT_NEAR(from_other.measure(0, 10s, fired, {}).cast->readings[540].range_m, 2.8, 1e-6);
 }
 
+// Its housing, 5 cm around it, is the scanner itself; the post on its left is not.
+TEST_F(TurningRobot, SeesItsBodyButNotItsOwnHousing) {
+    for (const bool movable : {true, false}) {
+        sim::SceneBuilder scene;
+        scene.add(sim::Box{{6, 4, 2}}, sim::Pose{});
+        if (movable) scene.movable({}).with(sim::Cylinder{0.05, 0.1}, {});
+        if (!movable) scene.add(sim::Cylinder{0.05, 0.1}, {});
+        scene.with(sim::Box{{0.2, 0.2, 0.5}}, sim::pose_from_rpy({0, 0.6, 0}, {0, 0, 0}));
+        world_ = world_of(scene);
+        world_.set_robots({{"robot", {.body = movable ? "model 1" : ""}}});
+        (void)world_.place_robot("robot", {9s, sim::Pose{}});
+        for (const std::optional<int> motion : {std::optional<int>{}, std::optional{2}}) {
+            SensorConfig seeing = ideal_sensor();
+            seeing.sees_body = movable;
+            seeing.motion = motion;
+            if (!movable) seeing.mount = NamedMount{.model = "model 1"};
+            const auto scan = sweep_in(world_, seeing).measure(0, 10s, fired, {}).cast;
+            EXPECT_NEAR(scan->readings[540].range_m, 3.0, tolerance_m);
+            EXPECT_NEAR(scan->readings[900].range_m, 0.5, tolerance_m);
+            EXPECT_EQ(scan->hits[900].object, 2U);
+        }
+    }
+}
+
 TEST_F(TurningRobot, SeesNothingWhereItIsNowhere) {
     world_.set_robots({{"robot", {.policy = {.after = sim::PosePolicy::After::absent}}}});
     const sim::Time in_the_middle = fired(540);

@@ -115,6 +115,14 @@ TEST_P(AgreementWithTheOracle, InClutteredWorldsWhoseModelsMove) {
             const auto apart = cast_apart(*backend, {directions, pose, 60.0F});
             for (std::size_t i = 0; i < beams; ++i)
                 agreement.compare(apart[i], truth[i]);
+            // The same without what is met first ahead and to the sides.
+            const std::vector<ObjectId> first{truth[0].object, truth[beams / 4].object,
+                                              truth[beams / 2].object};
+            const Fan behind{directions, pose, 60.0F, {no_model, first}};
+            oracle->cast(behind, truth);
+            const auto apart_behind = cast_apart(*backend, behind);
+            for (std::size_t i = 0; i < beams; ++i)
+                agreement.compare(apart_behind[i], truth[i]);
         }
     }
     EXPECT_GT(agreement.met, agreement.rays / 3);

@@ -239,6 +239,37 @@ TEST_P(BackendContract, LooksThroughTheBodyThatCarriesTheSensorAndNoOther) {
     EXPECT_EQ(ahead(1).object, 0U);
 }
 
+// A sensor within its housing, a sphere, with a post of the same body, another body, a shell that
+// stands still and a wall around it.
+TEST_P(BackendContract, LooksThroughSingleObjectsOfAnyModel) {
+    load(scene()
+             .add(Plane{{20, 20}}, wall_at(10))
+             .add(Box{{0.5, 0.5, 0.5}}, Pose{})
+             .movable({})
+             .with(Sphere{0.1}, {})
+             .with(Box{{0.2, 0.2, 2}}, at(0, 2))
+             .movable(at(6))
+             .with(Box{{1, 1, 1}}, {}));
+    const std::vector<glm::vec3> around{forward, {0, 1, 0}, {-1, 0, 0}};
+    const auto met = [&](std::vector<ObjectId> unseen) {
+        std::vector<Hit> hits = cast(around, {Pose{}}, nothing, {no_model, unseen});
+        return hits;
+    };
+    EXPECT_NEAR(met({}).front().range_m, 0.1, range_tolerance_m);
+    for (const Hit& hit : met({2}))
+        EXPECT_NEAR(hit.range_m, 0.25, range_tolerance_m);
+    const std::vector<Hit> hits = met({1, 2});
+    EXPECT_NEAR(hits[0].range_m, 5.5, range_tolerance_m);
+    EXPECT_EQ(hits[0].object, 4U);
+    EXPECT_NEAR(hits[0].cos_incidence, 1.0, 1e-3);
+    EXPECT_NEAR(hits[1].range_m, 1.9, range_tolerance_m);
+    EXPECT_EQ(hits[1].object, 3U);
+    EXPECT_FALSE(hits[2].met());
+    move(3, at(6, 5));
+    EXPECT_NEAR(met({1, 2})[0].range_m, 10.0, range_tolerance_m);
+    EXPECT_EQ(met({1, 2})[0].object, 0U);
+}
+
 // Robots of one kind: the same two pieces each, of other materials. The last is of another size.
 TEST_P(BackendContract, TellsBodiesOfEqualGeometryApart) {
     load(scene()

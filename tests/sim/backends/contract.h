@@ -71,7 +71,7 @@ class Contract : public testing::TestWithParam<std::tuple<std::string, Place>> {
     }
 
     std::vector<Hit> cast(const std::vector<glm::vec3>& directions, std::vector<Pose> poses,
-                          float max_range_m = nothing, ModelId unseen = no_model,
+                          float max_range_m = nothing, const Unseen& unseen = {},
                           std::optional<std::span<const ModelId>> can_meet = std::nullopt) {
         for (Pose& pose : poses)
             pose = world_from_test_ * pose;

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -192,6 +194,69 @@ TEST(Surroundings, OfASceneAreOddOnlyWhereNothingIsSeenOfTheSky) {
         }
     }
     EXPECT_GT(inside, 3) << "walls and crates, some of which a grid has to meet";
+}
+
+/// A robot with a plate, a post and a lidar in a housing, whose links are joined rigidly.
+class HousingOf : public testing::Test {
+  protected:
+    void add(const std::string& link, Shape shape, const Pose& model_from_object) {
+        const std::string name = "agv::" + link + "::v" + std::to_string(scene_.objects.size());
+        scene_.objects.push_back({name, 0, model_from_object, std::move(shape), 0});
+    }
+    [[nodiscard]] std::vector<ObjectId> housing(const std::string& link) const {
+        return housing_of(scene_, 0, link, sensor_, directions_);
+    }
+
+    Scene scene_{.models = {{"agv", true, {}}}};
+    Pose sensor_ = at(0.15, 0, 0.25);
+    std::vector<glm::vec3> directions_ = [] {
+        std::vector<glm::vec3> fan;
+        for (int i = -135; i <= 135; ++i) {
+            const double angle_rad = i * std::numbers::pi / 180;
+            fan.emplace_back(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+        }
+        return fan;
+    }();
+};
+
+TEST_F(HousingOf, IsWhatEnclosesTheEmitterOnItsOwnLink) {
+    add("base", Box{{0.5, 0.4, 0.1}}, at(0, 0, 0.1));
+    add("base", Cylinder{0.02, 0.8}, at(0.05, 0.18, 0.4));
+    EXPECT_TRUE(housing("agv::laser").empty());
+    add("laser", Cylinder{0.03, 0.07}, at(0.15, 0, 0.24));
+    add("laser", Box{{0.06, 0.06, 0.06}}, at(0.13, 0, 0.20));  // below
+    add("laser", Box{{0.3, 0.3, 0.3}}, at(-0.01, 0, 0.25));    // behind
+    EXPECT_EQ(housing("agv::laser"), std::vector<ObjectId>{2});
+    EXPECT_TRUE(housing_of(scene_, no_model, "agv::laser", sensor_, directions_).empty());
+}
+
+TEST_F(HousingOf, MayBeAnOpenMeshInSeveralMaterials) {
+    // A cube without its top and back, one material a pair of sides, 5 cm around the emitter.
+    for (const unsigned first : {0U, 2U}) {
+        Mesh mesh = *cube(true, first, 2);
+        for (glm::vec3& vertex : mesh.vertices_m)
+            vertex *= 0.05F;
+        scene_.objects.push_back(
+            {"agv::laser::v", 0, sensor_, std::make_shared<const Mesh>(std::move(mesh)), 0});
+    }
+    EXPECT_EQ(housing("agv::laser"), (std::vector<ObjectId>{0, 1}));
+}
+
+// The frame of a sensor is often a link of its own, with nothing on it.
+TEST_F(HousingOf, OfALinkWithoutOneIsThatOfTheLinkAround) {
+    add("shell", Cylinder{0.12, 0.2}, at(0.15, 0, 0.25));
+    add("laser", Cylinder{0.03, 0.07}, at(0.15, 0, 0.24));
+    EXPECT_EQ(housing("agv::laser_frame"), std::vector<ObjectId>{1});
+    EXPECT_EQ(housing(""), std::vector<ObjectId>{1});
+    EXPECT_EQ(housing("agv::shell"), std::vector<ObjectId>{0});
+}
+
+// A hull as wide as a robot is a mistake, which the user wants to see.
+TEST_F(HousingOf, IsNoLargerThanAScanner) {
+    add("laser", Sphere{0.5}, sensor_);
+    EXPECT_TRUE(housing("agv::laser").empty());
+    add("base", Sphere{0.2}, sensor_);
+    EXPECT_TRUE(housing("agv::laser").empty());
 }
 
 }  // namespace
