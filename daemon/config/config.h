@@ -87,6 +87,7 @@ struct WorldLimits {
 struct Config {
     std::filesystem::path scene;
     sim::SdfGeometry geometry = sim::SdfGeometry::visual;
+    sim::XacroArguments xacro;
     bool strict = false;  ///< what a world or a trajectory would cause a warning for is a fault
     sim::MapOptions map;
     std::filesystem::path materials;  ///< what they say comes before the stock library; empty: none

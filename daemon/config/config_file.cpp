@@ -36,9 +36,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 16> root_keys{
-    "scene", "geometry", "strict", "map",    "materials", "media", "scenario", "limits",
-    "seed",  "clock",    "models", "robots", "control",   "http",  "allow",    "fleet"};
+constexpr std::array<std::string_view, 17> root_keys{
+    "scene", "xacro", "geometry", "strict", "map",     "materials", "media", "scenario", "limits",
+    "seed",  "clock", "models",   "robots", "control", "http",      "allow", "fleet"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// Whether there is no such map or nothing in it. A value that is no map is told elsewhere.
@@ -127,6 +127,8 @@ Config Reader::read(const YAML::Node& document) {
         faults_.take(whole, demo_scene(), config.scene);
     }
     section.read("geometry", config.geometry, parse_geometry);
+    if (const sim::YamlField* xacro = section.find("xacro"))
+        config.xacro = read_xacro(*xacro, faults_);
     section.read("strict", config.strict, parse_switch);
     if (const sim::YamlField* map = section.find("map")) config.map = read_map(*map, faults_);
     section.read("materials", config.materials, from_base(parse_file));

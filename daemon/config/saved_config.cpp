@@ -191,7 +191,7 @@ std::string saved_config(const Config& config, const std::string& scene) {
     const bool by_options = config.document.empty();
     YAML::Node root =
         by_options ? YAML::Node{YAML::NodeType::Map} : copy_of(YAML::Load(config.document));
-    for (const char* const key : {"control", "allow", "fleet", "geometry", "map", "scene"})
+    for (const char* const key : {"control", "allow", "fleet", "geometry", "map", "scene", "xacro"})
         root.remove(key);
     if (!config.scene.empty()) root["scene"] = scene;
     say_path(config.materials, "materials", root);

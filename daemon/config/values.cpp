@@ -162,6 +162,18 @@ Expected<std::uint64_t> parse_seed(std::string_view text) {
     return *seed;
 }
 
+Expected<std::pair<std::string, std::string>> parse_xacro_argument(std::string_view text) {
+    constexpr std::string_view is = ":=";
+    const auto at = text.find(is);
+    if (at == text.npos || at == 0)
+        return refuse("must be NAME:=VALUE, such as lidar_angle:=40, not " + quote(text));
+    // The program ignores an argument whose value is empty, and fails if there is a second :=.
+    const std::string_view value = text.substr(at + is.size());
+    if (value.find_first_not_of(' ') == value.npos || value.find(is) != value.npos)
+        return refuse("must have a value, which has no := in it");
+    return std::pair{std::string(text.substr(0, at)), std::string(value)};
+}
+
 Expected<sim::SdfGeometry> parse_geometry(std::string_view text) {
     if (text == "visual") return sim::SdfGeometry::visual;
     if (text == "collision") return sim::SdfGeometry::collision;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "daemon/config/config.h"
 #include "sim/expected.h"
@@ -47,6 +48,8 @@ sim::Expected<bool> parse_on_close(std::string_view text);
 
 sim::Expected<std::uint64_t> parse_seed(std::string_view text);
 
+/// NAME:=VALUE, as the program xacro has it.
+sim::Expected<std::pair<std::string, std::string>> parse_xacro_argument(std::string_view text);
 /// visual or collision.
 sim::Expected<sim::SdfGeometry> parse_geometry(std::string_view text);
 

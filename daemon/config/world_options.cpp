@@ -8,6 +8,7 @@
 
 #include "daemon/config/members.h"
 #include "daemon/config/numbers.h"
+#include "daemon/config/values.h"
 #include "sim/text/likely_unit.h"
 
 namespace scipd::daemon {
@@ -77,6 +78,17 @@ sim::MapOptions read_map(const sim::YamlField& field, sim::YamlFaults& faults) {
     section.read("material", options.material);
     section.read("unknown", options.unknown, parse_unknown);
     return options;
+}
+
+sim::XacroArguments read_xacro(const sim::YamlField& field, sim::YamlFaults& faults) {
+    sim::XacroArguments arguments;
+    for (const sim::YamlField& entry : entries(field, faults)) {
+        const auto argument = sim::text_of(entry.value).and_then([&](const std::string& value) {
+            return parse_xacro_argument(entry.key + ":=" + value);
+        });
+        faults.require(entry, argument.map([&](const auto& good) { arguments.insert(good); }));
+    }
+    return arguments;
 }
 
 void read_limits(const sim::YamlField& field, Config& config, sim::YamlFaults& faults) {

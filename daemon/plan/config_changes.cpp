@@ -52,6 +52,7 @@ void add_changed_keys(const Config& was, const Config& is, Names& names) {
     };
     add(was.scene == is.scene, "scene");
     add(was.geometry == is.geometry, "geometry");
+    add(was.xacro == is.xacro, "xacro");
     add(was.map == is.map, "map");
     add(was.materials == is.materials, "materials");
     add(was.media == is.media, "media");

@@ -33,7 +33,13 @@ sim::LoadedScene load_scene(const Config& config, const sim::SharedMaterials& ma
     sim::SceneOptions options = scene_options(config, materials);
     options.limits.stop = stop;
     try {
-        return sim::load_scene(config.scene, options);
+        sim::LoadedScene loaded = sim::load_scene(config.scene, options);
+        if (!config.xacro.empty() && sim::extension_of(config.scene) != ".xacro") {
+            loaded.warnings.push_back(config.scene.string() +
+                                      ": is not written in xacro; the xacro arguments are ignored");
+            if (config.strict) throw sim::LoadError(loaded.warnings);
+        }
+        return loaded;
     } catch (const sim::LoadError& error) {
         throw named_at(config.place_of("scene"), error);
     }
@@ -51,6 +57,7 @@ sim::LoadError named_at(const std::string& place, const sim::LoadError& error) {
 // Where no sensor sees light, nobody asks what a material is, and an unknown one is no warning.
 sim::SceneOptions scene_options(const Config& config, const sim::SharedMaterials& materials) {
     sim::SceneOptions options{.sdf = {.geometry = config.geometry,
+                                      .xacro = config.xacro,
                                       .model_folders = stock_models(),
                                       .strict = config.strict},
                               .map = config.map,

@@ -119,7 +119,7 @@ std::string check(const std::filesystem::path& file, const Options& options) {
     if (*kind == FileKind::configuration) return check_configuration(file, options);
     if (!options.overrides.scenario.empty())
         throw sim::LoadError({file.string() + ": --scenario goes with a configuration"});
-    return check_file(*kind, file, options.overrides.strict);
+    return check_file(*kind, file, options.overrides);
 }
 
 }  // namespace scipd::daemon

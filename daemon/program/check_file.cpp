@@ -101,10 +101,11 @@ std::string name_of(FileKind kind) {
     return kind == FileKind::map ? "a ROS map" : "a world";
 }
 
-std::string check_scene(FileKind kind, const std::filesystem::path& file, bool strict) {
+std::string check_scene(FileKind kind, const std::filesystem::path& file,
+                        const Overrides& overrides) {
     Config config;
     config.scene = file;
-    config.strict = strict;
+    overrides.put_into(config);
     const LoadedMaterials materials = load_materials(config);
     // Without a sensor that sees light, materials that are unknown are no warning.
     sim::LoadedScene loaded = load_world(config, materials.library);
@@ -197,11 +198,12 @@ std::string check_materials(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string check_file(FileKind kind, const std::filesystem::path& file, bool strict) {
-    if (kind == FileKind::trajectory) return check_trajectory(file, strict);
+std::string check_file(FileKind kind, const std::filesystem::path& file,
+                       const Overrides& overrides) {
+    if (kind == FileKind::trajectory) return check_trajectory(file, overrides.strict);
     if (kind == FileKind::scenario) return check_scenario(file);
     if (kind == FileKind::materials) return check_materials(file);
-    return check_scene(kind, file, strict);
+    return check_scene(kind, file, overrides);
 }
 
 }  // namespace scipd::daemon

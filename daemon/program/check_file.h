@@ -9,11 +9,14 @@
 #include <string>
 
 #include "daemon/config/file_kind.h"
+#include "daemon/program/run_options.h"
 
 namespace scipd::daemon {
 
-/// Warnings and what there is, for a person. Where it is `strict`, what a world or a trajectory
-/// would cause a warning for is a fault. Throws LoadError with every fault.
-std::string check_file(FileKind kind, const std::filesystem::path& file, bool strict);
+/// Warnings and what there is, for a person. `overrides` say how a world is read, and if they are
+/// strict, what it or a trajectory would cause a warning for is a fault. Throws LoadError with every
+/// fault.
+std::string check_file(FileKind kind, const std::filesystem::path& file,
+                       const Overrides& overrides);
 
 }  // namespace scipd::daemon

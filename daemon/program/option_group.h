@@ -22,8 +22,10 @@ class Group {
     CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
                      std::function<sim::Expected<>(const std::string&)> take) {
         const auto callback = [name, take = std::move(take)](const CLI::results_t& said) {
-            const auto taken = take(said.front());
-            if (!taken) throw CLI::ValidationError(name, taken.error().why);
+            for (const std::string& text : said) {
+                const auto taken = take(text);
+                if (!taken) throw CLI::ValidationError(name, taken.error().why);
+            }
             return true;
         };
         return app_.add_option(name, callback, help)->type_name(value)->group(title_);

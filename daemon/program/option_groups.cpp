@@ -38,6 +38,19 @@ void add_world(CLI::App& app, OptionValues& said) {
         "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim, a mesh or the folder of a "
         "model; default: the rescue maze",
         [&](const auto& text) { return put(parse_scene(text, fs::current_path()), over.scene); });
+    group
+        .add("--xacro", "NAME:=VALUE",
+             "an argument of a world in xacro; give the option once for each; default: what the "
+             "file or the configuration says",
+             [&](const auto& text) {
+                 return parse_xacro_argument(text).map([&](const auto& argument) {
+                     over.xacro.insert_or_assign(argument.first, argument.second);
+                 });
+             })
+        ->take_all();
+    group.add("--geometry", "visual|collision",
+              "by which geometry of SDF and URDF scanners see the world; default: visual",
+              [&](const auto& text) { return put(parse_geometry(text), over.geometry); });
     group.add("--materials", "FILE",
               "materials that are added to those of scipd, or replace them; default: none",
               [&](const auto& text) {

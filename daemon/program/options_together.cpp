@@ -3,7 +3,9 @@
 #include "daemon/program/options_together.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "daemon/program/option_groups.h"
 
@@ -23,8 +25,14 @@ std::string key_of(const CLI::Option& option) {
     return option.get_group() == scanner_title ? sensor + '.' + name : "";
 }
 
+/// Options that decide how a world is read, so that they go with --check.
+constexpr std::array<std::string_view, 2> of_reading{"--xacro", "--geometry"};
+
 sim::Expected<> check_beside(const CLI::Option& alone, const CLI::Option& other) {
     const std::string key = key_of(other);
+    if (alone.get_name() == "--check" &&
+        std::ranges::find(of_reading, other.get_name()) != of_reading.end())
+        return {};
     if (alone.get_name() != "--config")
         return sim::refuse(alone.get_name() + " stands alone: leave " + other.get_name() + " out");
     if (other.get_group() == alone_title)

@@ -44,6 +44,9 @@ void Overrides::put_into(Config& read) const {
     put_path(materials, read.materials, "materials", read);
     put_path(scenario, read.scenario, "scenario", read);
     put_path(control, read.control, "control", read);
+    for (const auto& [name, value] : xacro)
+        read.xacro.insert_or_assign(name, value);
+    if (geometry) read.geometry = *geometry;
     if (clock) read.clock = *clock;
     if (seed) read.seed = *seed;
     if (http) read.http = *http;

@@ -18,6 +18,8 @@ namespace scipd::daemon {
 /// What holds whatever the configuration says; nothing, or empty: that holds.
 struct Overrides {
     std::filesystem::path scene = {};
+    sim::XacroArguments xacro = {};  ///< of all that the configuration has, these are replaced
+    std::optional<sim::SdfGeometry> geometry = {};
     std::filesystem::path materials = {};
     std::optional<ClockKind> clock = {};
     std::optional<std::uint64_t> seed = {};

@@ -53,6 +53,10 @@ NewModel take_new_model(std::FILE* in) {
 
 void put_options(const SdfOptions& sdf, const MapOptions& map, std::FILE* out) {
     put(sdf.geometry, out);
+    put_each(sdf.xacro, out, [](const auto& argument, std::FILE* to) {
+        put_all(argument.first, to);
+        put_all(argument.second, to);
+    });
     put_each(sdf.model_folders, out, put_path);
     put(sdf.most_memory_bytes, out);
     put(sdf.most_triangles, out);
@@ -66,6 +70,10 @@ void put_options(const SdfOptions& sdf, const MapOptions& map, std::FILE* out) {
 
 void take_options(SdfOptions& sdf, MapOptions& map, std::FILE* in) {
     sdf.geometry = take<SdfGeometry>(in);
+    for (auto count = take<std::uint64_t>(in); count > 0; --count) {
+        const auto name = take_all<std::string>(in);
+        sdf.xacro[name] = take_all<std::string>(in);
+    }
     sdf.model_folders = take_each<Folders>(in, take_path);
     sdf.most_memory_bytes = take<std::size_t>(in);
     sdf.most_triangles = take<std::size_t>(in);

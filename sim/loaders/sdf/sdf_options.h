@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "sim/loaders/mesh/mesh_file.h"
@@ -19,8 +21,12 @@ constexpr const char* seen_element(SdfGeometry geometry) {
     return geometry == SdfGeometry::visual ? "visual" : "collision";
 }
 
+/// Values of the arguments that a file in xacro declares (<xacro:arg>), by name.
+using XacroArguments = std::map<std::string, std::string>;
+
 struct SdfOptions {
     SdfGeometry geometry = SdfGeometry::visual;
+    XacroArguments xacro = {};  ///< for each file in xacro; those without one keep their default
     /// Folders to search for models that are nowhere else (resources.h).
     std::vector<std::filesystem::path> model_folders = {};
     /// Includes can make a large world of a small file. scipd refuses a world that takes more than

@@ -11,6 +11,7 @@
 #include "sim/loaders/parts/part_names.h"
 #include "sim/loaders/sdf/sdf_world.h"
 #include "sim/loaders/sdf/urdf.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {
@@ -45,6 +46,16 @@ bool is_seen(const SdfPart& model) {
     });
 }
 
+/// Why a document without a world has no model either.
+std::string why_no_model(const SdfDocument& document) {
+    if (document.is_robot()) return "is a URDF without a <link>; give the robot one";
+    const auto* model = document.root().FirstChildElement("model");
+    if (model == nullptr || model->FirstChildElement("include") == nullptr)
+        return "holds no <world>, and no <model> with a <link>";
+    return "its model " + quote(attribute(*model, "name")) +
+           " has no <link>, and none of its includes could be read";
+}
+
 }  // namespace
 
 SdfTree SdfReader::read(const SdfSource& source) {
@@ -59,7 +70,7 @@ SdfTree SdfReader::read(const SdfSource& source) {
     if (auto model = model_in(document, "")) {
         alone.push_back(std::move(*model));
     } else {
-        draft_.refuse(source_ + ": holds no <world>, and no <model> with a <link>");
+        draft_.refuse(source_ + ": " + why_no_model(document));
     }
     name_apart(alone);
     const std::string name = alone.empty() ? "" : alone.front().name;

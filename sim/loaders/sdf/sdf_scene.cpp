@@ -200,8 +200,10 @@ void SceneWalk::warn_of_unseen(const SdfPart& link, const std::string& name) {
     const bool visual = options_.geometry == SdfGeometry::visual;
     if (!link.surfaces.empty() || !link.has_unseen) return;
     draft_.warn(text_of(link.place) + ": " + name +
-                (visual ? " has collisions but no visual; scanners see visuals only"
-                        : " has visuals but no collision; scanners see collisions only"));
+                (visual
+                     ? " has collisions but no visual; scanners see visuals only; with geometry: "
+                       "collision or --geometry collision they see collisions only"
+                     : " has visuals but no collision; scanners see collisions only"));
 }
 
 void SceneWalk::add_surface(const SdfSurface& surface, const SdfPart& link, Frames& frames,

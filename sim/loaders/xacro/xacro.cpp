@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "sim/loaders/file/confined.h"
 #include "sim/loaders/file/load_error.h"
@@ -27,7 +28,25 @@ std::string words_of(const std::runtime_error& error) {
     return words.substr(0, words.find_last_not_of('\n') + 1);
 }
 
-std::string expanded(const fs::path& file) {
+constexpr auto how_to_set =
+    "--xacro NAME:=VALUE, or xacro: {NAME: VALUE} in the configuration, sets it";
+
+/// The advice for an argument that xacro misses; empty for any other error.
+std::string advice_for(const std::string& error) {
+    // xacro says so of $(arg NAME) where no <xacro:arg> gives NAME a default.
+    return error.find("Undefined substitution argument") == error.npos
+               ? ""
+               : std::string("; ") + how_to_set;
+}
+
+std::vector<std::string> command_for(const fs::path& file, const XacroArguments& arguments) {
+    std::vector<std::string> command{"xacro", file.string()};
+    for (const auto& [name, value] : arguments)
+        command.push_back(name + ":=" + value);
+    return command;
+}
+
+std::string expanded(const fs::path& file, const XacroArguments& arguments) {
     const auto refuse = [&](const std::string& why) {
         throw LoadError({file.string() + ": " + why});
     };
@@ -35,9 +54,10 @@ std::string expanded(const fs::path& file) {
         refuse(plain.error().why + "; name a robot written in xacro");
     }
     try {
-        if (const auto text = output_of(confines, {"xacro", file.string()})) return *text;
+        if (const auto text = output_of(confines, command_for(file, arguments))) return *text;
     } catch (const std::runtime_error& error) {
-        refuse("xacro fails: " + words_of(error));
+        const std::string words = words_of(error);
+        refuse("xacro fails: " + words + advice_for(words));
     }
     const std::string name = file.filename().string();
     const std::string robot = file.stem().replace_extension(".urdf").string();
@@ -52,8 +72,15 @@ std::string expanded(const fs::path& file) {
 
 LoadedScene load_xacro(const fs::path& given, const SdfOptions& options) {
     const auto file = fs::absolute(given).lexically_normal();
-    return load_sdf_text(expanded(file), file.string() + " (as xacro prints it)",
-                         file.parent_path(), options);
+    const std::string text = expanded(file, options.xacro);
+    if (text.find("<robot") != text.npos && text.find("<link") == text.npos) {
+        throw LoadError({file.string() +
+                         ": has no link once xacro has expanded it: it may only define macros, so "
+                         "name the file that calls them, or depend on an argument; " +
+                         how_to_set});
+    }
+    return load_sdf_text(text, file.string() + " (as xacro prints it)", file.parent_path(),
+                         options);
 }
 
 }  // namespace scipd::sim

@@ -208,9 +208,10 @@ robots:
 
 TEST_F(ConfigTest, ReadsWhatAMapAndAnSdfLeaveOpen) {
     const std::string robots = "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n";
-    const Config config = parse(
-        robots +
-        "geometry: collision\nstrict: true\nmap: {z: [-0.5, 3], material: brick, unknown: wall}");
+    const Config config = parse(robots +
+                                "xacro: {angle: 40, rear: true}\ngeometry: collision\nstrict: "
+                                "true\nmap: {z: [-0.5, 3], material: brick, unknown: wall}");
+    EXPECT_EQ(config.xacro, (sim::XacroArguments{{"angle", "40"}, {"rear", "true"}}));
     EXPECT_EQ(config.geometry, sim::SdfGeometry::collision);
     EXPECT_TRUE(config.strict);
     EXPECT_EQ(config.map, (sim::MapOptions{-0.5, 3.0, "brick", sim::UnknownCells::wall}));

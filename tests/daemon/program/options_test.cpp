@@ -248,6 +248,39 @@ TEST_F(OptionsTest, NamesMaterials) {
     EXPECT_TRUE(run("").config.materials.empty());
 }
 
+TEST_F(OptionsTest, SayHowAWorldIsRead) {
+    const auto file =
+        dir_.write("xacro.yaml",
+                   "scene: room.sdf\nxacro: {angle: 10, rear: true}\ngeometry: visual\n"
+                   "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
+    const std::string arguments = "--xacro angle:=40 --xacro name:=my_lidar --geometry collision ";
+    const Config config = run(arguments + "--config " + file.string()).config;
+    EXPECT_EQ(config.xacro,
+              (sim::XacroArguments{{"angle", "40"}, {"name", "my_lidar"}, {"rear", "true"}}));
+    EXPECT_EQ(config.geometry, sim::SdfGeometry::collision);
+    EXPECT_EQ(run(arguments).config.xacro,
+              (sim::XacroArguments{{"angle", "40"}, {"name", "my_lidar"}}));
+    for (const std::string wrong : {"angle", "angle=40", ":=40", "angle:=", "a:=b:=c"}) {
+        EXPECT_EQ(answer("--xacro " + wrong).exit_code, 2) << wrong;
+        EXPECT_THAT(answer("--xacro " + wrong).text, HasSubstr("--xacro")) << wrong;
+    }
+}
+
+TEST_F(OptionsTest, SayHowACheckedWorldIsRead) {
+    const auto world = dir_.write(
+        "collisions.sdf",
+        "<sdf version='1.9'><world name='w'><model name='m'><link name='l'><collision name='c'>"
+        "<geometry><box><size>1 1 1</size></box></geometry></collision></link></model></world>"
+        "</sdf>");
+    const std::string check = "--check " + world.string();
+    EXPECT_THAT(answer(check).text, HasSubstr("--geometry collision"));
+    EXPECT_THAT(answer(check).text, HasSubstr("objects: 0"));
+    EXPECT_THAT(answer(check + " --geometry collision").text, HasSubstr("objects: 1"));
+    EXPECT_THAT(answer(check + " --geometry collision --xacro a:=1").text,
+                HasSubstr("is not written in xacro; the xacro arguments are ignored"));
+    EXPECT_EQ(answer(check + " --geometry collision --xacro a:=1 --strict").exit_code, 2);
+}
+
 TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
     const auto whole = dir_.write("whole.yaml",
                                   "scene: room.sdf\n"

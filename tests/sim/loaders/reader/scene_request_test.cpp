@@ -21,6 +21,7 @@ SceneRequest through_a_file(const SceneRequest& request) {
 SceneRequest full_request() {
     SceneRequest request{};
     request.sdf = {.geometry = SdfGeometry::collision,
+                   .xacro = {{"angle", "40"}, {"name", "a b"}},
                    .model_folders = {"/a", "/b c"},
                    .most_memory_bytes = 11,
                    .most_triangles = 12,
@@ -37,6 +38,7 @@ SceneRequest full_request() {
 
 void expect_same_options(const SceneRequest& is, const SceneRequest& was) {
     EXPECT_EQ(is.sdf.geometry, was.sdf.geometry);
+    EXPECT_EQ(is.sdf.xacro, was.sdf.xacro);
     EXPECT_EQ(is.sdf.model_folders, was.sdf.model_folders);
     EXPECT_EQ(is.sdf.most_memory_bytes, was.sdf.most_memory_bytes);
     EXPECT_EQ(is.sdf.most_triangles, was.sdf.most_triangles);

@@ -44,6 +44,12 @@ TEST_F(SdfFaults, missingFilesAndFolders) {
 TEST_F(SdfFaults, noWorld) {
     EXPECT_THAT(faults(sdf("")),
                 ElementsAre("a.sdf: holds no <world>, and no <model> with a <link>"));
+    EXPECT_THAT(faults("<robot name='r'/>"),
+                ElementsAre("a.sdf: is a URDF without a <link>; give the robot one"));
+    EXPECT_THAT(faults(sdf("<model name='m'><include><uri>gone.sdf</uri></include></model>")),
+                ElementsAre(::testing::HasSubstr("there is no 'gone.sdf'"),
+                            "a.sdf: its model 'm' has no <link>, and none of its includes could be "
+                            "read"));
 }
 
 TEST_F(SdfFaults, nothingToSee) {

@@ -267,8 +267,8 @@ TEST_F(Sdf, collisionsAloneAreNotSeen) {
                "<model name='n'><link name='l'><collision name='c'><geometry>" + unit_box +
                "</geometry></collision></link></model>"));
     ASSERT_EQ(warnings_.size(), 1U);
-    EXPECT_THAT(warnings_[0],
-                HasSubstr("n::l has collisions but no visual; scanners see visuals only"));
+    EXPECT_THAT(warnings_[0], HasSubstr("n::l has collisions but no visual; scanners see visuals "
+                                        "only; with geometry: collision"));
 }
 
 TEST_F(Sdf, ofSeveralWorldsTheFirstIsUsed) {

@@ -227,7 +227,8 @@ TEST_F(SdfWorld, WhatIsOnlyOfTheOtherKindIsToldOf) {
                                    unit_box + "</geometry></collision></link></model>");
     load(text);
     EXPECT_THAT(warnings_, ElementsAre(place() + ":7: n::l has collisions but no visual; scanners "
-                                                 "see visuals only"));
+                                                 "see visuals only; with geometry: collision or "
+                                                 "--geometry collision they see collisions only"));
     load(text, {.geometry = SdfGeometry::collision});
     EXPECT_THAT(warnings_, ElementsAre(place() + ":4: m::l has visuals but no collision; scanners "
                                                  "see collisions only"));

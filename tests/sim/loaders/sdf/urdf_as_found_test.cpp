@@ -140,7 +140,9 @@ TEST_P(UrdfAsFound, hasCollisionsThatCostNoMoreThanThemselves) {
 TEST_P(UrdfAsFound, tellsALinkOfCollisionsAlone) {
     load(text_of({.more = "<link name='c'><collision><geometry/></collision></link><joint name='k' "
                           "type='fixed'><parent link='a'/><child link='c'/></joint>"}));
-    expect_told("5: r::c has collisions but no visual; scanners see visuals only");
+    expect_told(
+        "5: r::c has collisions but no visual; scanners see visuals only; with geometry: collision "
+        "or --geometry collision they see collisions only");
 }
 
 TEST_P(UrdfAsFound, keepsWhatItsExtensionsSayOfSurfaces) {

@@ -68,6 +68,27 @@ TEST_F(Xacro, itsOwnErrorsAreShown) {
     EXPECT_THAT(faults(), ElementsAre(HasSubstr("robot.urdf.xacro (as xacro prints it)")));
 }
 
+// The script prints a box whose length is what it was asked for.
+TEST_F(Xacro, getsTheArguments) {
+    install(
+        "[ \"$2\" = length:=4 ] && [ \"$3\" = \"name:=a b\" ] && [ $# = 3 ] || exit 4\n"
+        "echo \"<robot name='r'><link name='l'><visual><geometry><box size='${2#length:=} 2 3'/>"
+        "</geometry></visual></link></robot>\"\n");
+    const auto loaded = load_scene(robot(), {.sdf = {.xacro = {{"name", "a b"}, {"length", "4"}}}});
+    ASSERT_EQ(loaded.scene->objects.size(), 1U);
+    EXPECT_EQ(std::get<Box>(loaded.scene->objects[0].shape).size_m, glm::dvec3(4, 2, 3));
+}
+
+TEST_F(Xacro, sentencesForMissingArgumentsAndForMacrosAlone) {
+    install("echo 'error: Undefined substitution argument lidar' >&2\nexit 2\n");
+    EXPECT_THAT(faults(), ElementsAre(AllOf(HasSubstr("substitution argument lidar; --xacro "
+                                                      "NAME:=VALUE"),
+                                            HasSubstr("xacro: {NAME: VALUE}"))));
+    install("echo \"<robot name='r'/>\"\n");
+    EXPECT_THAT(faults(), ElementsAre(AllOf(HasSubstr("has no link once xacro has expanded it"),
+                                            HasSubstr("name the file that calls them"))));
+}
+
 TEST_F(Xacro, withoutTheProgramIsToldHowToConvert) {
     EXPECT_THAT(faults(), ElementsAre(AllOf(HasSubstr("which is not installed here"),
                                             HasSubstr("pip install xacro"),
