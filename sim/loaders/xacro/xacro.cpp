@@ -73,7 +73,9 @@ std::string expanded(const fs::path& file, const XacroArguments& arguments) {
 LoadedScene load_xacro(const fs::path& given, const SdfOptions& options) {
     const auto file = fs::absolute(given).lexically_normal();
     const std::string text = expanded(file, options.xacro);
-    if (text.find("<robot") != text.npos && text.find("<link") == text.npos) {
+    // What is cut short is a fault of its XML.
+    const bool is_robot = text.find("<robot") != text.npos && text.find('>') != text.npos;
+    if (is_robot && text.find("<link") == text.npos) {
         throw LoadError({file.string() +
                          ": has no link once xacro has expanded it: it may only define macros, so "
                          "name the file that calls them, or depend on an argument; " +
