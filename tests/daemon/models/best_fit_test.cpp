@@ -125,11 +125,9 @@ TEST(BestFit, OfOthersIsOneOfTheirRange) {
 // A UXM-30LX-E, of 190 degrees, has their rate, and would leave a third of their view out.
 TEST(BestFit, HasTheFieldOfViewBeforeTheRate) {
     for (const double rate_hz : {10.0, 20.0, 25.0}) {
-        for (const int samples : {541, 1081}) {
-            sim::Lidar lidar = of_data_sheet(0.1, 29.0, samples);
-            lidar.rate_hz = rate_hz;
-            EXPECT_EQ(best(lidar), "UTM-30LX") << rate_hz << ", " << samples;
-        }
+        sim::Lidar lidar = of_data_sheet(0.1, 29.0);
+        lidar.rate_hz = rate_hz;
+        EXPECT_EQ(best(lidar), "UTM-30LX") << rate_hz;
     }
     sim::Lidar narrow = of_data_sheet(0.1, 30.0, 761);
     narrow.min_angle_rad = -1.6580;
