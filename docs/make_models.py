@@ -23,7 +23,7 @@ scipd --list-models
 scipd --model URG-04LX@3.3.00 --tcp 127.0.0.1:0
 ```
 
-For each figure scipd says how sure it is:
+For each figure scipd says how certain it is:
 
 | word | meaning |
 |---|---|
