@@ -99,7 +99,7 @@ test('under clock: poses, time plays, stands still and steps', async ({page, sta
   await expect.poll(time_s).toBeGreaterThan(before_s + 6);
   // At most as fast as was asked for; this machine may be slower, and the status may be older.
   expect(await time_s() - before_s - 1.025).toBeLessThan(5 * (Date.now() - begun_ms) / 1000 + 3);
-  await page.getByRole('button', {name: 'Pause'}).click();
+  await page.getByRole('button', {name: 'Pause', exact: true}).click();
   await expect(page.getByRole('button', {name: 'Play'})).toBeVisible();
   await page.waitForTimeout(300);
   const stopped_s = await time_s();
