@@ -8,7 +8,7 @@ namespace {
 using Kind = Scip1Request::Kind;
 
 std::string scan_words(const StepWindow& window) {
-    std::string text = "asks for one scan, steps " + std::to_string(window.first) + " to " +
+    std::string text = "requests one scan, steps " + std::to_string(window.first) + " to " +
                        std::to_string(window.last);
     if (window.cluster > 1) text += ", one value for " + std::to_string(window.cluster) + " steps";
     return text;
@@ -19,7 +19,7 @@ std::string scan_words(const StepWindow& window) {
 std::string scip1_request_words(const Scip1Request& request) {
     switch (request.kind) {
         case Kind::version:
-            return "asks for the version, in SCIP 1.1";
+            return "requests the version, in SCIP 1.1";
         case Kind::scan:
             return scan_words(request.window) + ", in SCIP 1.1";
         case Kind::laser_off:
@@ -40,9 +40,9 @@ std::string_view scip1_reply_words(const Scip1Request& echo, char status) {
     if (status != scip1_status::ok) return "not carried out";
     switch (echo.kind) {
         case Kind::version:
-            return "tells the version";
+            return "returns the version";
         case Kind::scan:
-            return "the scan that was asked for";
+            return "the requested scan";
         case Kind::laser_off:
             return "the laser is off";
         case Kind::laser_on:

@@ -18,10 +18,10 @@ struct CommandWords {
 
 /// All commands but those for scans, which are put together from their parameters.
 constexpr CommandWords commands[] = {
-    {"VV", "asks for the version", "tells the version"},
-    {"PP", "asks for the parameters", "tells the parameters"},
-    {"II", "asks for the state", "tells the state"},
-    {"%ST", "asks for the state as a number", "tells the state as a number"},
+    {"VV", "requests the version", "returns the version"},
+    {"PP", "requests the parameters", "returns the parameters"},
+    {"II", "requests the state", "returns the state"},
+    {"%ST", "requests the state as a number", "returns the state as a number"},
     {"BM", "switches the laser on", "the laser is on"},
     {"QT", "ends the stream and switches the laser off", "the stream has ended, the laser is off"},
     {"%SL", "puts the scanner to sleep: laser off, motor stopped", "the scanner sleeps"},
@@ -29,15 +29,15 @@ constexpr CommandWords commands[] = {
     {"RT", "resets the scanner but for its motor and its line", "the scanner is reset in part"},
     {"RB", "reboots the scanner, when it comes twice within a second", "the scanner reboots"},
     {"TM0", "enters time-adjust mode", "the scanner is in time-adjust mode"},
-    {"TM1", "asks for the time", "tells the time"},
+    {"TM1", "requests the time", "returns the time"},
     {"TM2", "leaves time-adjust mode", "the scanner has left time-adjust mode"},
-    {"TM", "asks for a step of time-adjust mode that there is not", ""},
-    {"%TM1", "asks for the time in microseconds", "tells the time in microseconds"},
-    {"%TM", "asks for a step of time-adjust mode that there is not", ""},
+    {"TM", "requests a step of time-adjust mode that does not exist", ""},
+    {"%TM1", "requests the time in microseconds", "returns the time in microseconds"},
+    {"%TM", "requests a step of time-adjust mode that does not exist", ""},
     {"SS", "sets the bit rate of the serial line", "the bit rate changes"},
     {"CR", "sets the speed of the motor", "the motor changes its speed"},
     {"HS", "sets the sensitivity", "the sensitivity is set"},
-    {"DB", "has the scanner pretend to be in trouble", "the scanner pretends"},
+    {"DB", "simulates an error state", "the error state is simulated"},
     {"$IP", "sets network addresses", "the addresses are taken, and not kept"},
     {"SCIP2.0", "leaves SCIP 1.1", "SCIP 2.0 is spoken"},
 };
@@ -88,22 +88,22 @@ constexpr StatusWords of_sensitivity[] = {
     {"03", "the model has one value only"},
 };
 constexpr StatusWords of_rehearsals[] = {
-    {"01", "there is no such rehearsal"},     {"02", "a rehearsal is under way"},
-    {"03", "there is no rehearsal to end"},   {"04", "this model does not rehearse that"},
-    {"05", "the scanner is in real trouble"},
+    {"01", "there is no such error to simulate"},   {"02", "an error is simulated already"},
+    {"03", "there is no simulated error to end"},   {"04", "this model does not simulate that"},
+    {"05", "the scanner is in a real error state"},
 };
 constexpr StatusWords of_laser[] = {
     {"01", "the laser is out of order"},
     {"02", "the laser is on already"},
 };
 constexpr StatusWords of_reboot[] = {
-    {"01", "the scanner reboots when it is asked again within a second"},
+    {"01", "the scanner reboots when RB comes again within a second"},
 };
 constexpr StatusWords of_time[] = {
     {"01", "there is no such mode"},
     {"02", "the scanner is in time-adjust mode already"},
     {"03", "the scanner is not in time-adjust mode"},
-    {"04", "the scanner tells the time in time-adjust mode alone; TM0 enters it"},
+    {"04", "the scanner returns the time only in time-adjust mode; TM0 enters it"},
 };
 constexpr StatusWords of_addresses[] = {
     {"01", "this is no address"},
@@ -177,8 +177,8 @@ int scans_left(const Request& request) {
 std::string stream_words(const Request& request) {
     const int scans = scans_left(request);
     const int interval = parse_digits(request.parameters().substr(10, 1)).value_or(0);
-    std::string text = scans == 0 ? "asks for an endless stream of "
-                                  : "asks for " + std::to_string(scans) + " scans of ";
+    std::string text = scans == 0 ? "requests an endless stream of "
+                                  : "requests " + std::to_string(scans) + " scans of ";
     text += contents_words(request.command->format) + window_words(request.parameters());
     if (interval > 0) text += ", passing over " + std::to_string(interval) + " turns each time";
     return text;
@@ -196,9 +196,9 @@ std::string request_words(const Request& request) {
     if (request.command == nullptr) return "no command that this scanner knows";
     const Command& command = *request.command;
     if (const CommandWords* const words = find(command)) return std::string(words->asks);
-    if (!is_complete(request)) return "asks for " + contents_words(command.format);
+    if (!is_complete(request)) return "requests " + contents_words(command.format);
     if (command.brings_scans()) return stream_words(request);
-    return "asks for one scan of " + contents_words(command.format) +
+    return "requests one scan of " + contents_words(command.format) +
            window_words(request.parameters());
 }
 
@@ -207,7 +207,7 @@ std::string reply_words(const Request& echo, Status status) {
         return scan_words(echo);
     if (status != status::ok || echo.command == nullptr) return "not carried out";
     if (echo.command->brings_scans()) return "the stream begins";
-    if (echo.command->brings_one_scan()) return "the scan that was asked for";
+    if (echo.command->brings_one_scan()) return "the requested scan";
     const CommandWords* const words = find(*echo.command);
     return std::string(words != nullptr ? words->done : "carried out");
 }

@@ -68,7 +68,9 @@ class InTrouble : public FaultEffect {
 
     explicit InTrouble(const Members& members) : members_(members) {}
 
-    void begin(FaultScene& scene) override { scene.touched({.what = "the device is in trouble"}); }
+    void begin(FaultScene& scene) override {
+        scene.touched({.what = "the device is in an error state"});
+    }
     /// The worst one counts.
     void condition(DeviceCondition& condition) const override {
         condition.trouble = std::max(condition.trouble, members_.state);
@@ -136,7 +138,7 @@ class Motor : public FaultEffect {
 std::span<const FaultKind> device_kinds() {
     static constexpr FaultKind kinds[] = {
         kind_of<Reboot>("reboot", "device", "the device boots", true),
-        kind_of<InTrouble>("state", "device", "the device is in trouble, and says so"),
+        kind_of<InTrouble>("state", "device", "the device is in an error state, and reports it"),
         kind_of<Asleep>("sleep", "device", "the device sleeps, and streams end"),
         kind_of<Motor>("motor", "device", "the motor is not at its speed"),
     };

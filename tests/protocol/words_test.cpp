@@ -122,14 +122,14 @@ TEST(Words, TellWhatANumberMeansToTheCommand) {
 
 TEST(Words, TellWhatIsAskedFor) {
     EXPECT_EQ(words_of("MD", "0000108001000"),
-              "asks for an endless stream of distances, steps 0 to 1080");
+              "requests an endless stream of distances, steps 0 to 1080");
     EXPECT_EQ(words_of("ME", "0044072503210"),
-              "asks for 10 scans of distances and intensities, steps 44 to 725, one value for 3 "
+              "requests 10 scans of distances and intensities, steps 44 to 725, one value for 3 "
               "steps, passing over 2 turns each time");
     EXPECT_EQ(words_of("GS", "0000076800"),
-              "asks for one scan of distances of two characters, steps 0 to 768");
-    EXPECT_EQ(words_of("MD", "x"), "asks for distances") << "too short";
-    EXPECT_EQ(words_of("MD", "xxxxxxxxxxxxx"), "asks for an endless stream of distances");
+              "requests one scan of distances of two characters, steps 0 to 768");
+    EXPECT_EQ(words_of("MD", "x"), "requests distances") << "too short";
+    EXPECT_EQ(words_of("MD", "xxxxxxxxxxxxx"), "requests an endless stream of distances");
     EXPECT_EQ(request_words({.echo = "XX"}), "no command that this scanner knows");
 }
 
@@ -137,13 +137,13 @@ TEST(Words, TellWhatTheReplyIs) {
     const auto reply = [](std::string_view code, const std::string& digits, Status status) {
         return reply_words(request_of(command_of(code), digits), status);
     };
-    EXPECT_EQ(reply("VV", "", status::ok), "tells the version");
+    EXPECT_EQ(reply("VV", "", status::ok), "returns the version");
     EXPECT_EQ(reply("MD", "0000108001000", status::ok), "the stream begins");
     EXPECT_EQ(reply("MD", "0000108001009", status::scan_follows),
               "a scan of the stream; echoed scan count: 09");
     EXPECT_EQ(reply("MD", "0000108001000", status::scan_follows),
               "a scan of the stream; echoed scan count: 00 (endless, or the last one)");
-    EXPECT_EQ(reply("GD", "0000108001", status::ok), "the scan that was asked for");
+    EXPECT_EQ(reply("GD", "0000108001", status::ok), "the requested scan");
     EXPECT_EQ(reply("GD", "0000108001", status::denied), "not carried out");
 }
 

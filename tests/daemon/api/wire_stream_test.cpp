@@ -116,7 +116,7 @@ TEST_F(WireStreamTest, TellsThoseWhoReadAlong) {
     ASSERT_EQ(told.size(), 2U);
     EXPECT_EQ(told[0]["from"], "client");
     EXPECT_EQ(told[0]["line"], "VV");
-    EXPECT_EQ(told[0]["means"], "asks for the version");
+    EXPECT_EQ(told[0]["means"], "requests the version");
     EXPECT_EQ(told[0]["status"], nullptr);
     EXPECT_EQ(told[1]["from"], "scanner");
     EXPECT_EQ(told[1]["status"], "00");

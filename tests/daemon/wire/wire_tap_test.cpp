@@ -100,7 +100,7 @@ TEST_F(WireTapTest, TellsTheScansOfAStream) {
     ScannerWire wire = connect();
     const std::string answer = ask(wire, "MD0000108001002\n", "MD0000108001000\n99");
     ASSERT_EQ(told_.size(), 4U);
-    EXPECT_EQ(told_[0].means, "asks for 2 scans of distances, steps 0 to 1080");
+    EXPECT_EQ(told_[0].means, "requests 2 scans of distances, steps 0 to 1080");
     EXPECT_EQ(told_[1].means, "the stream begins");
     EXPECT_FALSE(told_[1].scan);
     for (std::size_t i : {2U, 3U})
@@ -160,16 +160,16 @@ TEST_F(WireTapTest, TellsScip1) {
     using Reply = std::array<std::string, 4>;
     EXPECT_THAT(replies,
                 testing::ElementsAre(
-                    Reply{"V", "0", "tells the version", "carried out"},
+                    Reply{"V", "0", "returns the version", "carried out"},
                     Reply{"L0", "0", "the laser is off", "carried out"},
                     Reply{"G04472501", "E", "not carried out",
                           "the scanner does not know the request, or its laser is off"},
                     Reply{"L1", "0", "the laser is on", "carried out"},
-                    Reply{"G04472501", "0", "the scan that was asked for", "carried out"},
+                    Reply{"G04472501", "0", "the requested scan", "carried out"},
                     Reply{"SCIP2.0", "0", "SCIP 2.0 is spoken", "carried out"},
                     Reply{"V", "0E", "not carried out",
                           "the scanner does not know the command, or is in time-adjust mode"}));
-    EXPECT_EQ(told_[3].means, "asks for one scan, steps 44 to 725, in SCIP 1.1");
+    EXPECT_EQ(told_[3].means, "requests one scan, steps 44 to 725, in SCIP 1.1");
     tap.listen(nullptr);
     port_->stop();
 }
