@@ -186,7 +186,7 @@ class Scipd:
 
     def fault(self, kind: str, sensor: Optional[str] = None, after: float = 0, seconds: Optional[float] = None,
               **members: Any) -> Fault:
-        """Has something go wrong at a scanner, `after` seconds from now and for `seconds`, or until stop(). `members`
+        """Injects a fault into a scanner, `after` seconds from now and for `seconds`, or until stop(). `members`
         are those of docs/faults.md: steps=[400, 500], at={"scan": 40}, for_={"scans": 3}, until="RB"."""
         return Fault(self._control, self.sensor(sensor).name, request_of(kind, after, seconds, members))
 
