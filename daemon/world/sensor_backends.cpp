@@ -31,7 +31,7 @@ void SensorBackends::log_changes_since(const SensorBackends& before) const {
         const bool known_choice =
             known != before.sensors_.end() && known->second.choice == assigned.choice;
         if (known_choice || !choice.faces) continue;
-        spdlog::info("{}: auto takes {}: {}", sensor, choice.backend, choice.reason);
+        spdlog::info("{}: backend {} chosen ({})", sensor, choice.backend, choice.reason);
     }
 }
 

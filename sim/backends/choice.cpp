@@ -124,8 +124,8 @@ class Race {
     /// Says for people which part of a sweep was cast; empty where it was all of it.
     [[nodiscard]] std::string share() const {
         if (poses_ == all_poses_) return {};
-        return ", each for " + std::to_string(poses_) + " of the " + std::to_string(all_poses_) +
-               " poses of a sweep";
+        return ", measured on " + std::to_string(poses_) + " of its " + std::to_string(all_poses_) +
+               " poses";
     }
 
   private:
@@ -185,18 +185,22 @@ Choice judge(const Race& race) {
     const std::span<const Runner> runners = race.runners();
     const std::size_t fans = race.timed_fans();
     Choice choice;
+    std::vector<std::string> figures;
     for (std::size_t i = 0; i < runners.size(); ++i) {
         const Time took = runners[i].total(fans);
-        choice.reason += (i == 0 ? "" : ", ") + std::string(runners[i].contender.name) + " takes " +
-                         milliseconds(took, fans);
+        figures.push_back(milliseconds(took, fans));
         const double beyond = share_beyond(runners[i], runners.front(), fans);
         if (beyond > beams_beyond) {
-            choice.reason += in_text(" but differs in %.1f %% of the beams", 100.0 * beyond);
+            figures.back() += in_text(", but differs in %.1f %% of the beams", 100.0 * beyond);
         } else if (took < clearly * runners[choice.contender].total(fans)) {
             choice.contender = i;
         }
     }
-    choice.reason += race.share();
+    choice.reason = figures[choice.contender] + " per scan" + race.share();
+    for (std::size_t i = 0; i < runners.size(); ++i) {
+        if (i != choice.contender)
+            choice.reason += "; " + std::string(runners[i].contender.name) + ": " + figures[i];
+    }
     return choice;
 }
 

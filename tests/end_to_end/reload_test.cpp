@@ -129,7 +129,7 @@ TEST_F(Reload, OfAFileWithAPortInUseChangesNothing) {
     reload_and_wait_for("nothing was changed");
     const std::string log = daemon_.standard_error();
     EXPECT_THAT(log, HasSubstr("cannot listen on " + taken));
-    EXPECT_THAT(log, Not(HasSubstr("rescue/top: auto takes")));
+    EXPECT_THAT(log, Not(HasSubstr("rescue/top: backend ")));
     EXPECT_THAT(log, Not(HasSubstr(stays_)));
     expect_no_gap(wire, stamp_ms);
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "scipd" / "rescue-top"));
@@ -185,7 +185,7 @@ TEST_F(Reload, KeepsWhatDidNotChange) {
     reload_and_wait_for("is running now; new: rescue/top; gone: rescue/rear");
     expect_no_gap(kept, stamp_ms);
     EXPECT_TRUE(eventually([&] {
-        return daemon_.standard_error().find("rescue/top: auto takes") != std::string::npos;
+        return daemon_.standard_error().find("rescue/top: backend ") != std::string::npos;
     }));
     EXPECT_TRUE(removed.ends());
     EXPECT_FALSE(fs::is_symlink(daemon_.tty(1)));

@@ -69,13 +69,13 @@ def start(program, scenes, folder, *options, journal=True, stream=None, tcp="127
 def logs_entries_with_fields(program, scenes, folder):
     with Journal() as journal, start(program, scenes, folder, tcp="0.0.0.0:0") as scipd:
         scipd.ready()
-        warning = journal.find("everybody who reaches this machine")
+        warning = journal.find("every machine that reaches this one")
         assert warning["MESSAGE"].startswith("rescue/front listens on 0.0.0.0:"), warning
         assert warning["PRIORITY"] == "4" and warning["SYSLOG_IDENTIFIER"] == "scipd", warning
         assert "SCIPD_SENSOR" not in warning and "CODE_FILE" not in warning, warning
-        choice = journal.find("auto takes")
+        choice = journal.find("chosen (")
         assert choice["SCIPD_SENSOR"] == "rescue/front" and choice["PRIORITY"] == "6", choice
-        assert choice["MESSAGE"].startswith("rescue/front: auto takes"), choice
+        assert choice["MESSAGE"].startswith("rescue/front: backend "), choice
         scipd.configure("robots:\n  a: 1\nscene: nowhere\x1b\n")
         scipd.reload()
         fault = journal.find("SIGHUP: nothing was changed, since\n")

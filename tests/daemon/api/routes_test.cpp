@@ -120,7 +120,7 @@ RigReport busy_report() {
     front.name = "rescue/front";
     front.model = "UST-10LX";
     front.backend = "embree";
-    front.backend_reason = "embree takes 0.030 ms, depth takes 0.600 ms";
+    front.backend_reason = "0.030 ms per scan; depth: 0.600 ms";
     front.errors = ReadingErrors{.noise = 2.0, .own_bias = true, .bias = {{1.0, 0.01}}};
     front.seed = 18446744073709551615U;
     front.state = "measuring";
@@ -160,7 +160,7 @@ RigReport busy_report() {
 
 constexpr const char* front_text =
     R"({"name":"rescue/front","model":"UST-10LX","backend":"embree",)"
-    R"("backend_reason":"embree takes 0.030 ms, depth takes 0.600 ms",)"
+    R"("backend_reason":"0.030 ms per scan; depth: 0.600 ms",)"
     R"("errors":{"accuracy":"sensor","noise":2.0,"bias":[{"range_m":1.0,"bias_m":0.01}],)"
     R"("interference":false},"seed":"18446744073709551615",)"
     R"("state":"measuring","warning":null,)"

@@ -120,7 +120,7 @@ TEST(Logging, WritesADocumentForEachEntry) {
     Pipe pipe;
     start_logging("info", LogFormat::json);
     tell_log_of({"rescue/front"});
-    spdlog::info("rescue/front: auto takes embree: it is quicker");
+    spdlog::info("rescue/front: backend embree chosen (it is quicker)");
     spdlog::error("rescue/rear: is none of them,\nand {}", "\x1b[2J\xff");
     EXPECT_TRUE(finish_logging());
     const std::string text = pipe.read_until("\\ufffd\"}\n");
@@ -128,7 +128,7 @@ TEST(Logging, WritesADocumentForEachEntry) {
     const auto about_sensor = nlohmann::json::parse(text.substr(0, end));
     EXPECT_EQ(about_sensor["level"], "info");
     EXPECT_EQ(about_sensor["sensor"], "rescue/front");
-    EXPECT_EQ(about_sensor["message"], "auto takes embree: it is quicker");
+    EXPECT_EQ(about_sensor["message"], "backend embree chosen (it is quicker)");
     EXPECT_THAT(text, testing::Not(HasSubstr("\x1b")));
     const auto other = nlohmann::json::parse(text.substr(end));
     EXPECT_EQ(other["level"], "error");

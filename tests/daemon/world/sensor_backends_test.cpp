@@ -98,7 +98,7 @@ TEST(BackendMaker, SettlesAutoByMeasuring) {
     EXPECT_FALSE(maker.is_open(open));
     // On a machine that cannot draw it says why.
     EXPECT_THAT(open.settled->reason,
-                testing::AnyOf(testing::MatchesRegex("embree takes .* ms, depth .*"),
+                testing::AnyOf(testing::MatchesRegex(".* ms per scan.*; (embree|depth): .* ms.*"),
                                HasSubstr("no depth: ")));
     EXPECT_EQ(open.settled->faces, 1U);
     SensorBackends backends = maker.make({&open, 1});

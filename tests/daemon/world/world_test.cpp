@@ -80,7 +80,7 @@ TEST_F(WorldTest, NamesSomeOfManyWhereAPoseIsRefused) {
         robots[std::to_string(i)] = {at_x(0)};
     world_.set_robots(robots);
     EXPECT_EQ(why_not(world_.place_only_robot({1s, at_x(1)})),
-              "robot: say which; robots are 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, "
+              "robot is missing; robots are 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, "
               "111, 112, 113, 114, 115 and 4 more");
 }
 
@@ -89,7 +89,7 @@ TEST_F(WorldTest, TakesAPoseWithoutANameForTheOnlyRobot) {
     EXPECT_DOUBLE_EQ(robot_x(1s), 3.0);
     world_.set_robots({{"robot", {at_x(0)}}, {"second", {at_x(1)}}});
     EXPECT_EQ(why_not(world_.place_only_robot({2s, at_x(4)})),
-              "robot: say which; robots are robot, second");
+              "robot is missing; robots are robot, second");
 }
 
 TEST_F(WorldTest, KeepsRobotsWhereTheyAreUnlessTheirStartIsAnother) {
