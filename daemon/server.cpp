@@ -52,7 +52,7 @@ Server::Server(const Options& options)
       rig_(io_.get_executor(), options_.config.clock, &handed_, options_.threads),
       sensors_(rig_, running_,
                [this](RigPlan&& plan) {
-                   spdlog::info("asked for over the control API: {}", run_as(std::move(plan)));
+                   spdlog::info("requested over the control API: {}", run_as(std::move(plan)));
                }),
       service_(io_.get_executor(), served(rig_.simulation())),
       control_(
@@ -210,7 +210,7 @@ void Server::wait_for_signal() {
             reload();
             return wait_for_signal();
         }
-        spdlog::info("ended by signal {}", signal);
+        spdlog::info("stopped ({})", signal == SIGINT ? "SIGINT" : "SIGTERM");
         stop();
     });
 }

@@ -6,6 +6,7 @@
 #include <exception>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <string>
 
@@ -17,21 +18,10 @@
 namespace scipd::tools {
 namespace {
 
-/// Bounds that nobody comes near are nothing to read about.
+/// Empty for bounds too wide to matter.
 std::string bounds_in_help(const std::string& bounds, double most) {
-    constexpr double nobody_asks_for = 1e6;
-    return most < nobody_asks_for ? bounds : "";
-}
-
-/// The commands that could have been named where one is missing.
-std::string commands_of(const CLI::App& program) {
-    const CLI::App* app = &program;
-    while (!app->get_subcommands().empty())
-        app = app->get_subcommands().front();
-    std::string names;
-    for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
-        names.append(names.empty() ? "" : ", ").append(command->get_name());
-    return names;
+    constexpr double widest_in_help = 1e6;
+    return most < widest_in_help ? bounds : "";
 }
 
 std::string sentence_of(const CLI::App& program, const CLI::Error& error) {
@@ -41,7 +31,7 @@ std::string sentence_of(const CLI::App& program, const CLI::Error& error) {
     if (missing || extra) {
         if (auto unknown = daemon::unknown_word(program)) return *std::move(unknown);
     }
-    const std::string commands = missing ? commands_of(program) : "";
+    const std::string commands = missing ? daemon::commands_after(program) : "";
     return commands.empty() ? error.what() : "name a command; there are: " + commands;
 }
 
@@ -80,6 +70,17 @@ CLI::Validator whole_from(std::int64_t least) {
     return {why_not, "", "whole number"};
 }
 
+void add_completion_command(CLI::App& program, const daemon::MoreWords& more) {
+    auto* const command = program.add_subcommand("completion", "print completions for a shell");
+    const auto shell = std::make_shared<std::string>();
+    command->add_option("SHELL", *shell, "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember(daemon::completion_shells()));
+    command->callback(
+        [&program, shell, more] { std::cout << daemon::completions(program, *shell, more); });
+    command->footer("Example:\n  source <(" + program.get_name() + " completion bash)");
+}
+
 int run(CLI::App& program, int argc, char** argv) {
     constexpr int failed = 1;
     constexpr int wrong_options = 2;
@@ -89,8 +90,9 @@ int run(CLI::App& program, int argc, char** argv) {
     program.set_version_flag("--version", daemon::version_of(program.get_name()),
                              "print the version");
     program.failure_message([](const CLI::App* app, const CLI::Error& error) {
-        return app->get_name() + ": " + sentence_of(*app, error) + " (see " + app->get_name() +
-               " --help)\n";
+        const bool value = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr;
+        return app->get_name() + ": " + sentence_of(*app, error) +
+               (value ? "" : " (see " + app->get_name() + " --help)") + '\n';
     });
     try {
         program.parse(argc, argv);

@@ -10,6 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "daemon/command_line/completions.h"
+
 namespace scipd::tools {
 
 /// The user named something that cannot be used.
@@ -26,6 +28,9 @@ struct WrongInput : std::runtime_error {
 [[nodiscard]] CLI::Validator whole_within(std::int64_t least, std::int64_t most);
 /// Takes whole numbers from least to what an int holds.
 [[nodiscard]] CLI::Validator whole_from(std::int64_t least);
+
+/// `PROGRAM completion bash|zsh|fish`, which all tools have.
+void add_completion_command(CLI::App& program, const daemon::MoreWords& more = {});
 
 /// Reads the options, runs the command and reports faults on standard error. Returns the exit code.
 int run(CLI::App& program, int argc, char** argv);

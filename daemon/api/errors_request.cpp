@@ -34,7 +34,8 @@ Expected<> read_accuracy(const json& value, ReadingErrors& errors) {
 Expected<> read_noise(const json& value, ReadingErrors& errors) {
     const double noise = value.is_number() ? value.get<double>() : -1.0;
     if (!(noise >= 0.0 && noise <= most_noise_factor))
-        return sim::refuse("noise", "must be a number from 0 to 100: so many times the model's");
+        return sim::refuse("noise",
+                           "must be a number from 0 to 100, a factor of the model's noise");
     errors.noise = noise;
     return {};
 }

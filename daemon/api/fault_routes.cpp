@@ -116,7 +116,7 @@ void get_fault_log(Call&& call) {
         since = whole_number(query_value(call.request.query, "since").value_or(""));
     if (!since) {
         return call.respond(
-            problem(400, "since must be the number of an entry, as this tells it as n", "since"));
+            problem(400, "since must be the number of an entry, its n in the log", "since"));
     }
     call.respond(ok(log_document(call.api.faults().log(sensor_of(call)), *since)));
 }

@@ -91,7 +91,7 @@ ClientMetric::Histogram histogram(const Lateness& lateness) {
 
 MetricFamily of_lateness(const AllCounted& sensors) {
     MetricFamily family{"scipd_lateness_seconds",
-                        "How long after their ideal instant scans left.",
+                        "Lateness of scans after their ideal instant.",
                         MetricType::Histogram,
                         {}};
     for (const Counted& sensor : sensors) {
@@ -121,14 +121,14 @@ MetricFamily of_limits(const RigReport& rig) {
 
 MetricFamily of_build() {
     MetricFamily family{
-        "scipd_build_info", "Always 1; the label tells the version.", MetricType::Gauge, {}};
+        "scipd_build_info", "Always 1; the label holds the version.", MetricType::Gauge, {}};
     add_gauge(family, {{"version", SCIPD_VERSION}}, 1);
     return family;
 }
 
 Families of_scans(const AllCounted& sensors) {
     return {
-        of_each(sensors, "scipd_scans_total", "Scans that left when their turn was complete.",
+        of_each(sensors, "scipd_scans_total", "Scans sent when their revolution was complete.",
                 [](const auto& sensor) { return sensor.counts.scans; }),
         of_each(sensors, "scipd_scans_lost_total", "Scans that a driver wanted and did not get.",
                 [](const auto& sensor) { return sensor.counts.lost; }),

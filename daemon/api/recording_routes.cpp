@@ -53,7 +53,7 @@ void get_recording(Call&& call) {
     if (!scans) return call.respond(problem(400, "scans must be a number from 1 to 4000", "scans"));
     if (!call.api.recordings().has_room()) {
         return call.respond(
-            problem(409, "4 recordings are made already; ask again when one of them is done"));
+            problem(409, "4 recordings are in progress; try again when one of them is done"));
     }
     Recordings::Order order{.sensor = sensor, .ending = ending, .scans = *scans};
     order.withdrawn = call.request.withdrawn;
@@ -61,8 +61,7 @@ void get_recording(Call&& call) {
         respond(response_of(name, ending, std::move(file)));
     };
     order.gone = [respond = call.respond, sensor] {
-        respond(problem(
-            409, "\"" + sensor + "\" has left or has become another scanner meanwhile; ask again"));
+        respond(problem(409, "\"" + sensor + "\" was removed or changed meanwhile; try again"));
     };
     call.api.recordings().begin(std::move(order));
 }

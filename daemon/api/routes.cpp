@@ -18,7 +18,8 @@ using Segments = std::vector<std::string>;
 
 /// Answers those who ask for a WebSocket without an upgrade.
 void ask_for_upgrade(Call&& call) {
-    call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
+    call.respond(
+        problem(426, call.request.path + " is a WebSocket: request it with Upgrade: websocket"));
 }
 
 constexpr std::array<Route, 47> table{{

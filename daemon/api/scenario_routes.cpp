@@ -42,7 +42,7 @@ sim::Expected<ScenarioRequest> parse_request(const std::string& body) {
 }
 
 HttpResponse refused(const std::string& name, const sim::LoadError& error) {
-    return problem(400, sim::printable(name) + " is no scenario that can run", "yaml",
+    return problem(400, sim::printable(name) + " is not a scenario that can run", "yaml",
                    error.faults());
 }
 

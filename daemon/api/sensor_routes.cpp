@@ -142,10 +142,9 @@ Json to_json(const RigReport& rig) {
 }
 
 HttpResponse no_scan_yet() {
-    return problem(
-        404,
-        "there is no scan yet: nothing is cast until somebody asks for scans, a driver or "
-        "a client of /stream");
+    return problem(404,
+                   "no scan yet: scipd only scans while someone reads. Run `scipcat plot "
+                   "tcp://127.0.0.1:10940`, or connect a driver");
 }
 
 /// The scan of this number, from a log that holds something.
@@ -155,14 +154,15 @@ HttpResponse truth_in(const Log& log, const std::string& sensor, const std::stri
     const char* const end = number.data() + number.size();
     const auto [stop, error] = std::from_chars(number.data(), end, scan);
     if (number.empty() || error != std::errc{} || stop != end) {
-        return problem(400, "scan must be the number of one, as /stream and this tell it", "scan");
+        return problem(400, "scan must be the number of a scan, as /stream and /truth report it",
+                       "scan");
     }
     if (const auto record = log.find(scan)) return ok_text(truth_text(sensor, *record));
     return problem(404,
                    "scan " + number + " is not kept: those from " + std::to_string(log.first()) +
                        " to " + std::to_string(log.last()) +
-                       " are that somebody asked for. For a minute from now on the truth of the "
-                       "last second is kept: ask for a later scan",
+                       " are. For a minute from now on the truth of the last second is kept: "
+                       "request a later scan",
                    "scan");
 }
 

@@ -120,8 +120,8 @@ class GzBus : public Bus {
         if (readable.contains(topic_)) return {};
         if (!other_type.empty())
             return topic_ + " is of " + sim::printable(other_type) +
-                   ", which tells of no place that scipd could read";
-        return "nobody publishes " + topic_ + name_hint(topic_, readable, "topics");
+                   ", which holds no pose that scipd can read";
+        return "no publisher of " + topic_ + name_hint(topic_, readable, "topics");
     }
 
     const std::string topic_;

@@ -163,7 +163,7 @@ bool is_readable_gz_type(std::string_view type) {
 sim::Expected<Heard> read_gz_message(std::string_view type, std::string_view bytes) {
     const Reading* const reading = reading_of(type);
     if (reading == nullptr)
-        return sim::refuse(std::string(type) + " tells of no place that scipd could read");
+        return sim::refuse(std::string(type) + " holds no pose that scipd can read");
     Heard heard{.type = std::string(type), .poses = {}};
     const auto read = reading->read(bytes, heard);
     if (!read) return sim::refuse(heard.type + ": " + read.error().why);

@@ -72,7 +72,7 @@ dds_domainid_t domain_of_environment() {
 struct Ear {
     std::string topic;
     bool for_good = false;
-    dds_entity_t reader = 0;  ///< 0: nobody publishes anything that can be read
+    dds_entity_t reader = 0;  ///< 0: no readable type is published
     dds_entity_t dds_topic = 0;
     std::optional<RosOffer> as_offered;  ///< what the reader was made for
 };

@@ -129,7 +129,7 @@ std::string ros_type_of(std::string_view dds_type) {
 sim::Expected<Heard> read_ros_message(std::string_view type, std::string_view bytes) {
     const auto reading = std::ranges::find(readings, type, &Reading::type);
     if (reading == readings.end())
-        return sim::refuse(std::string(type) + " tells of no place that scipd could read");
+        return sim::refuse(std::string(type) + " holds no pose that scipd can read");
     CdrReader reader(bytes);
     Heard heard{.type = std::string(type), .poses = {}};
     const auto read = reading->read(reader, heard);

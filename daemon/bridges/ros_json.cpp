@@ -121,7 +121,7 @@ sim::Expected<> read_message(const Json& message, Heard& heard) {
         heard.clock = time_in(member(message, "clock")).value_or(sim::Time{});
         return {};
     }
-    return sim::refuse("it tells of no place that scipd could read");
+    return sim::refuse("it holds no pose that scipd can read");
 }
 
 }  // namespace

@@ -48,9 +48,9 @@ std::string RosOffers::trouble_with(const std::string& topic) const {
     for (const auto& [key, offer] : offers_) {
         if (offer.topic == topic)
             return sim::printable(topic) + " is of " + sim::printable(ros_type_of(offer.dds_type)) +
-                   ", which tells of no place that scipd could read";
+                   ", which holds no pose that scipd can read";
     }
-    return "nobody publishes " + sim::printable(topic) + name_hint(topic, others, "topics");
+    return "no publisher of " + sim::printable(topic) + name_hint(topic, others, "topics");
 }
 
 }  // namespace scipd::daemon

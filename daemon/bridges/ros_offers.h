@@ -27,7 +27,7 @@ class RosOffers {
     bool remove(const std::string& key) { return offers_.erase(key) > 0; }
 
     /// What all can do who publish the topic as one type: a reader that wants more hears nothing
-    /// of some of them. Nothing where nobody publishes anything that can be read.
+    /// of some of them. Nothing where no readable type is published.
     [[nodiscard]] std::optional<RosOffer> common(const std::string& topic) const;
 
     /// Why nothing comes by this topic, and which there are; empty: it can come.

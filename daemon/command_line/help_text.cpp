@@ -104,6 +104,7 @@ class HelpFormatter : public CLI::Formatter {
     }
 
     std::string make_option_usage(const CLI::Option* option) const override {
+        if (option->get_group().empty()) return {};  // hidden
         const bool may_repeat = option->get_expected_max() > 1 && option->get_option_text().empty();
         const std::string text = shown(*option) + (may_repeat ? "..." : "");
         return option->get_required() ? text : "[" + text + "]";
@@ -120,7 +121,7 @@ class HelpFormatter : public CLI::Formatter {
         if (const std::string bounds = bounds_of(*option); !bounds.empty())
             text.insert(std::min(text.find("; default:"), text.size()), ", " + bounds);
         const bool must = option->get_required() && !option->get_positional();
-        if (must) text += "; needed";
+        if (must) text += " (required)";
         text +=
             listed("; with ", option->get_needs()) + listed("; not with ", option->get_excludes());
         const std::string& usual = option->get_default_str();
@@ -151,6 +152,7 @@ class HelpFormatter : public CLI::Formatter {
 
 void use(CLI::App& app, const std::shared_ptr<HelpFormatter>& formatter) {
     app.formatter(formatter);
+    app.get_help_ptr()->description("print this help message and exit");
     for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         use(*command, formatter);
 }

@@ -31,7 +31,7 @@ Words commands_of(const CLI::App& app) {
     return names;
 }
 
-/// With those of the commands around it, where they may follow.
+/// Long options of this command and, with fallthrough, of its parent commands.
 Words options_of(const CLI::App& app) {
     Words names;
     for (const CLI::App* place = &app; place != nullptr;) {
@@ -44,22 +44,21 @@ Words options_of(const CLI::App& app) {
     return names;
 }
 
-std::string did_you_mean(const std::string& word, const Words& known) {
+std::string did_you_mean(const std::string& word, const Words& known,
+                         const Replacement& replacement = {}) {
+    std::string better = replacement ? replacement(word) : "";
     const std::vector<std::string_view> views(known.begin(), known.end());
-    const auto near = sim::meant(word, views);
-    return near ? "; did you mean " + std::string(*near) + "?" : "";
-}
-
-std::string listed(const Words& words) {
-    std::string text;
-    for (const std::string& word : words)
-        text += (text.empty() ? "" : ", ") + word;
-    return text;
+    if (better.empty()) better = sim::meant(word, views).value_or("");
+    return better.empty() ? "" : "; did you mean " + sim::printable(better) + "?";
 }
 
 }  // namespace
 
-std::optional<std::string> unknown_word(const CLI::App& program) {
+std::string commands_after(const CLI::App& program) {
+    return sim::listed(commands_of(command_in(program)));
+}
+
+std::optional<std::string> unknown_word(const CLI::App& program, const Replacement& replacement) {
     const Words unknown = program.remaining(true);
     if (unknown.empty()) return std::nullopt;
     const CLI::App& app = command_in(program);
@@ -68,14 +67,16 @@ std::optional<std::string> unknown_word(const CLI::App& program) {
         unknown, [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
     if (option != unknown.end()) {
         const std::string name = option->substr(0, option->find('='));
-        return "there is no option " + sim::printable(name) + did_you_mean(name, options_of(app));
+        return "there is no option " + sim::printable(name) +
+               did_you_mean(name, options_of(app), replacement);
     }
     const std::string& word = unknown.front();
     const Words commands = commands_of(app);
-    if (commands.empty()) return sim::quote(word) + " is no option; leave it out";
+    if (commands.empty())
+        return "unexpected argument " + sim::quote(word) + did_you_mean(word, {}, replacement);
     const std::string near = did_you_mean(word, commands);
     return "there is no command \"" + sim::printable(word, 40) + "\"" + near +
-           (near.empty() ? "; there are: " : " There are: ") + listed(commands);
+           (near.empty() ? "; there are: " : " There are: ") + sim::listed(commands);
 }
 
 }  // namespace scipd::daemon

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -11,8 +12,15 @@ class App;
 
 namespace scipd::daemon {
 
-/// What to tell of the first word of a command line that means nothing: the option that it could
-/// be, or the command. Nothing where every word means something. `program` has tried to parse it.
-std::optional<std::string> unknown_word(const CLI::App& program);
+/// Text to use instead of an unknown word, such as "--scene room.sdf" for "room.sdf"; empty: none.
+using Replacement = std::function<std::string(const std::string& word)>;
+
+/// Error message for the first unknown word of a command line, with the option or command that was
+/// probably meant. Returns nullopt if every word is known. `program` has tried to parse the line.
+std::optional<std::string> unknown_word(const CLI::App& program,
+                                        const Replacement& replacement = {});
+
+/// Names of the commands that can follow what was typed; empty if none can.
+std::string commands_after(const CLI::App& program);
 
 }  // namespace scipd::daemon

@@ -86,7 +86,9 @@ RobotConfig Reader::read_robot(const sim::YamlField& field, SensorContext& conte
     robot.pose_given = section.find("pose") != nullptr;
     section.read("body", robot.body);
     const sim::YamlField* sensors = section.find("sensors");
-    const auto fields = sensors ? entries(*sensors, faults_) : std::vector<sim::YamlField>{};
+    const auto fields =
+        sensors ? entries(*sensors, faults_, ", such as sensors: {front: {model: UST-10LX}}")
+                : std::vector<sim::YamlField>{};
     sensor_count_ += fields.size();
     if (sensor_count_ > most_sensors) {
         faults_.add(field, "more than 4096 sensors in all; split them over several daemons");
@@ -154,7 +156,10 @@ Config Reader::read(const YAML::Node& document) {
     const ModelChoice models{section.find("models"), faults_};
     SensorContext context{models, claims_, base_, faults_, places_};
     const sim::YamlField* robots = section.find("robots");
-    const auto fields = robots ? entries(*robots, faults_) : std::vector<sim::YamlField>{};
+    const auto fields =
+        robots ? entries(*robots, faults_,
+                         ", such as robots: {cart: {sensors: {front: {model: UST-10LX}}}}")
+               : std::vector<sim::YamlField>{};
     if (document.IsMap() && is_empty(robots)) {
         faults_.add(robots ? *robots : whole, "needs at least one robot, under robots");
     }

@@ -31,13 +31,6 @@ constexpr std::size_t largest_yaml = 1 << 20;
 constexpr std::array world_extensions{".sdf"sv,  ".world"sv, ".model"sv,
                                       ".urdf"sv, ".xacro"sv, ".xml"sv};
 
-std::string refusal() {
-    return "is nothing that scipd reads; name a configuration, a scenario, materials or a ROS map "
-           "(.yaml), a world (.sdf, .world, .model, .urdf, .xacro, .xml, or the folder of a "
-           "model), a mesh (.obj, .stl, .ply, .dae, .gltf, .glb), or a trajectory (TUM, EuRoC, "
-           "KITTI, or CSV with a header)";
-}
-
 /// The keys of a document, as far as it is a map.
 class Keys {
   public:
@@ -149,7 +142,12 @@ sim::Expected<FileKind> kind_of(const fs::path& file) {
     } catch (const std::runtime_error& why) {
         return sim::refuse(why.what());
     }
-    return sim::refuse(refusal());
+    return sim::refuse(
+        "is not a file type that scipd knows. Known are: a configuration, a scenario, materials "
+        "or a ROS map "
+        "(.yaml), a world (.sdf, .world, .model, .urdf, .xacro, .xml, or the folder of a "
+        "model), a mesh (.obj, .stl, .ply, .dae, .gltf, .glb), or a trajectory (TUM, EuRoC, "
+        "KITTI, or CSV with a header)");
 }
 
 }  // namespace scipd::daemon

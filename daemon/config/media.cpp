@@ -137,7 +137,8 @@ void read_number(const sim::YamlField& field, MediumRequest& request, sim::YamlF
 }
 
 void read_box(const sim::YamlField& field, MediumRequest& request, sim::YamlFaults& faults) {
-    const sim::YamlSection section{field, box_keys, faults};
+    const sim::YamlSection section{field, box_keys, faults,
+                                   "box: {from: [0, 0, 0], to: [3, 2, 2.5]}"};
     auto& corners_m = request.box_m.emplace();
     for (std::size_t i = 0; i < box_keys.size(); ++i) {
         section.read_vector(box_keys[i], corners_m[i], parse_metres);

@@ -27,7 +27,8 @@ void read_mount(const sim::YamlSection& section, SensorConfig& sensor, sim::Yaml
                 std::map<std::string, std::string>& places) {
     const sim::YamlField* field = section.find("mount");
     if (!field) return;
-    const sim::YamlSection mount{*field, mount_keys, faults};
+    const sim::YamlSection mount{*field, mount_keys, faults,
+                                 "mount: {xyz: [0, 0, 0.3], rpy: [0, 0, 0]}"};
     const sim::Pose pose = pose_in(mount, faults);
     sensor.robot_from_sensor = pose;
     places[field->path] = faults.place(field->line, field->path);

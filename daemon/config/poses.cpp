@@ -123,7 +123,9 @@ sim::Pose read_pose(const sim::YamlSection& parent, std::string_view key, sim::Y
     static constexpr std::array<std::string_view, 2> keys{"xyz", "rpy"};
     const sim::YamlField* field = parent.find(key);
     if (!field) return {};
-    return pose_in(sim::YamlSection{*field, keys, faults}, faults);
+    return pose_in(
+        sim::YamlSection{*field, keys, faults, "pose: {xyz: [1, 2, 0], rpy: [0, 0, 1.57]}"},
+        faults);
 }
 
 void read_poses(const sim::YamlField& field, RobotConfig& robot, const std::filesystem::path& base,

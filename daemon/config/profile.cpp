@@ -219,7 +219,7 @@ sim::YamlSection profile_section(const sim::YamlField& map,
     std::vector<std::string_view> keys = keys_of(profile_members, besides);
     for (const std::string_view key : optics_keys())
         keys.push_back(key);
-    return {map, keys, faults};
+    return {map, keys, faults, besides.empty() ? "{serial: H1234567}" : "{like: UST-10LX}"};
 }
 
 void override_model(const sim::YamlSection& section, const sim::YamlField& map,

@@ -8,6 +8,7 @@
 
 #include "daemon/config/numbers.h"
 #include "daemon/config/values.h"
+#include "sim/loaders/mesh/mesh_file.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 
@@ -29,6 +30,15 @@ sim::Expected<std::optional<Begins>> parse_begins(std::string_view text) {
 
 }  // namespace
 
+sim::Expected<std::filesystem::path> parse_recording(std::string_view text,
+                                                     const std::filesystem::path& base) {
+    if (sim::extension_of(text) == ".tum")
+        return sim::refuse(sim::quote(text) +
+                           " is a trajectory, not a recording; a robot follows it by its poses "
+                           "(--poses)");
+    return parse_file(text, base);
+}
+
 sim::Expected<ReplayLoop> parse_loop(std::string_view text) {
     if (text == "on") return ReplayLoop::on;
     if (text == "true" || text == "yes") return ReplayLoop::again;
@@ -42,7 +52,7 @@ sim::Expected<ReplayLoop> parse_loop(std::string_view text) {
 ReplayConfig read_replay(const sim::YamlField& field, const std::filesystem::path& base,
                          sim::YamlFaults& faults) {
     ReplayConfig replay;
-    const auto parse = [&](const std::string& text) { return parse_file(text, base); };
+    const auto parse = [&](const std::string& text) { return parse_recording(text, base); };
     if (!field.value.IsMap()) {
         faults.take(field, sim::text_of(field.value).and_then(parse), replay.file);
         return replay;

@@ -15,6 +15,10 @@ namespace scipd::daemon {
 [[nodiscard]] ReplayConfig read_replay(const sim::YamlField& field,
                                        const std::filesystem::path& base, sim::YamlFaults& faults);
 
+/// A file that is no trajectory by its name.
+[[nodiscard]] sim::Expected<std::filesystem::path> parse_recording(
+    std::string_view text, const std::filesystem::path& base);
+
 /// true, false, or on: the stamps go on from round to round.
 [[nodiscard]] sim::Expected<ReplayLoop> parse_loop(std::string_view text);
 

@@ -55,7 +55,7 @@ std::optional<Model> read_model(const sim::YamlSection& section, const SensorCon
 
 sim::DepthOptions read_depth(const sim::YamlField& field, const std::string& backend,
                              sim::YamlFaults& faults) {
-    const sim::YamlSection section{field, depth_keys, faults};
+    const sim::YamlSection section{field, depth_keys, faults, "depth: {oversample: 2}"};
     sim::DepthOptions depth;
     section.read("between_pixels", depth.between_pixels, parse_between_pixels);
     section.read("oversample", depth.oversample, parse_oversample);
@@ -71,7 +71,7 @@ sim::DepthOptions read_depth(const sim::YamlField& field, const std::string& bac
 DeviceClockConfig read_clock(const sim::YamlSection& parent, sim::YamlFaults& faults) {
     DeviceClockConfig clock;
     if (const sim::YamlField* field = parent.find("clock")) {
-        const sim::YamlSection section{*field, clock_keys, faults};
+        const sim::YamlSection section{*field, clock_keys, faults, "clock: {ppm: 20}"};
         section.read("ppm", clock.ppm, parse_ppm);
         section.read("start_ms", clock.start_ms, parse_device_time);
         section.read("phase_ms", clock.phase, parse_phase);
@@ -89,7 +89,7 @@ sim::Expected<> check_baud(int baud, const protocol::DeviceProfile& profile) {
 
 LinkConfig read_link(const sim::YamlField& field, const sim::YamlSection& sensor,
                      const std::optional<Model>& model, sim::YamlFaults& faults) {
-    const sim::YamlSection section{field, link_keys, faults};
+    const sim::YamlSection section{field, link_keys, faults, "link: {latency_ms: 2}"};
     LinkConfig link;
     section.read("latency_ms", link.latency, parse_link_delay);
     section.read("jitter_ms", link.jitter, parse_link_delay);
@@ -118,7 +118,7 @@ LinkConfig read_link(const sim::YamlField& field, const sim::YamlSection& sensor
 void check_reach(const sim::YamlField& field, const sim::YamlSection& section,
                  sim::YamlFaults& faults) {
     if (is_none(section.find("tcp")) && is_none(section.find("pty"))) {
-        faults.add(field, "nobody can reach it; give tcp or pty, such as `pty: auto`");
+        faults.add(field, "no driver could reach it: give tcp or pty, such as `pty: auto`");
     }
 }
 

@@ -53,7 +53,7 @@ void require(const sim::YamlSection& section, const sim::YamlField& map, Keys ke
 }
 
 void read_noise(const sim::YamlField& field, sim::StaringSpec& spec, sim::YamlFaults& faults) {
-    const sim::YamlSection section{field, noise_keys, faults};
+    const sim::YamlSection section{field, noise_keys, faults, "noise: {sigma_m: 0.01}"};
     sim::NoiseStep step{};
     section.read("sigma_m", step.sigma_m, parse_length);
     section.read("share", step.sigma_share, parse_share);

@@ -247,7 +247,8 @@ std::optional<FaultPlan> read_fault(const sim::YamlField& map,
     const std::size_t before = faults.count();
     FaultPlan plan;
     plan.kind = read_kind(map, kinds, faults);
-    const sim::YamlSection section{map, known_keys(plan.kind, kinds, also), faults};
+    const sim::YamlSection section{map, known_keys(plan.kind, kinds, also), faults,
+                                   "{kind: stall, for: {s: 2}}"};
     if (const sim::YamlField* const at = section.find("at")) read_start(*at, plan.start, faults);
     read_end(section, plan.end, faults);
     read_repetition(section, plan.every, faults);

@@ -60,7 +60,7 @@ Scenario ScenarioReader::read(const YAML::Node& document) {
     if (const sim::YamlField* const steps = section.find("steps")) {
         scenario.steps = read_steps(*steps);
     } else if (faults_.count() == before) {
-        faults_.add(whole, "needs steps, a list of what goes wrong");
+        faults_.add(whole, "needs steps, a list of faults");
     }
     return scenario;
 }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "daemon/models/products.h"
+#include "sim/text/near_word.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {
@@ -14,15 +16,13 @@ std::string full_name(const Model& model) {
 }
 
 // Each product once, however many firmwares it has.
-std::string choices() {
-    std::string text;
-    std::string_view last;
+std::vector<std::string_view> products() {
+    std::vector<std::string_view> names;
     for (const Model& model : models()) {
-        if (model.profile.name == last) continue;
-        last = model.profile.name;
-        text += (text.empty() ? "" : ", ") + model.profile.name;
+        if (names.empty() || names.back() != model.profile.name)
+            names.emplace_back(model.profile.name);
     }
-    return text;
+    return names;
 }
 
 /// Null where there is none of that name.
@@ -34,8 +34,11 @@ const Model* search(std::string_view name) {
 }
 
 std::string no_model(std::string_view name) {
-    return "there is no model \"" + std::string(name) + "\"; the models are " + choices() +
-           "; `scipd --list-models` shows their firmware";
+    const std::vector<std::string_view> names = products();
+    const auto near = sim::meant(name, names);
+    return "there is no model \"" + std::string(name) + "\"" +
+           (near ? "; did you mean " + std::string(*near) + "? The" : "; the") + " models are " +
+           sim::listed(names) + "; `scipd --list-models` shows their firmware";
 }
 
 }  // namespace

@@ -46,8 +46,9 @@ std::string summary_of(const sim::MaterialLibrary& library) {
     const double share = numbers == 0 ? 0.0
                                       : 100.0 * static_cast<double>(library.assumed()) /
                                             static_cast<double>(numbers);
-    return std::to_string(library.materials().size()) + " (" + std::to_string(std::lround(share)) +
-           " % of " + std::to_string(numbers) + " numbers assumed)";
+    return std::to_string(library.materials().size()) + " with " + std::to_string(numbers) +
+           " parameters, " + std::to_string(std::lround(share)) +
+           " % of them assumed (not measured)";
 }
 
 }  // namespace scipd::daemon

@@ -245,7 +245,7 @@ RecordedScanner recorded_scanner(const ReplayConfig& replay) {
     const bool has_angles = scan.directions.first_rad && scan.directions.increment_rad;
     if (!has_angles) {
         fail(replay,
-             "does not say of which scanner it is; name a model (--model, or `model` in a "
+             "does not name the scanner's model; name it (--model, or `model` in a "
              "configuration), one of `scipd --list-models`");
     }
     return {identity, best_fit(lidar_of(scan, identity, rate_hz))};
@@ -285,7 +285,7 @@ SharedTape read_tape(const ReplayConfig& replay, const Model& model, const std::
     if (tape->size() == 0) fail(replay, "holds no scan");
     tape->end(period);
     if (replay.begins && std::holds_alternative<AsRecorded>(*replay.begins) && !tape->recorded())
-        fail(replay, "does not say when it was recorded: give begins_s as a stamp in seconds");
+        fail(replay, "has no date: give begins_s as a stamp in seconds");
     return tape;
 }
 

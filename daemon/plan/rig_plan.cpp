@@ -7,13 +7,14 @@
 #include <optional>
 #include <utility>
 
+#include <spdlog/spdlog.h>
+
 #include "daemon/plan/load_materials.h"
 #include "daemon/plan/load_scenario.h"
 #include "daemon/plan/load_world.h"
 #include "daemon/plan/mounting.h"
-#include "daemon/plan/shared_serials.h"
+#include "daemon/plan/notices.h"
 #include "daemon/plan/unlikely_places.h"
-#include "daemon/plan/unseen_media.h"
 #include "daemon/world/backend_maker.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/sensor/scanner.h"
@@ -128,8 +129,9 @@ RigPlan make_plan(Config config, const Running& running, const std::stop_token& 
     Homes homes = find_homes(config, running.homes, running.sensors);
     if (!goes_on) {
         std::ranges::move(media_notices(config), std::back_inserter(notices));
-        std::ranges::move(material_notices(config, *loaded.scene, *materials.library),
-                          std::back_inserter(notices));
+        for (const std::string& notice :
+             material_notices(config, *loaded.scene, *materials.library))
+            spdlog::debug("{}", notice);
     }
     std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {

@@ -115,7 +115,7 @@ class BusFeed : public PoseFeed, public std::enable_shared_from_this<BusFeed> {
         if (!said.until && !said.lines.empty()) clock_leads_ = true;
         if (message.clock ? !clock_leads_ : !said.until && said.lines.empty()) return;
         const auto until = said.until ? said.until : clock_;
-        if (!until) return tell("it says no time, and time is that of the poses");
+        if (!until) return tell("it has no stamp, and time is that of the poses");
         const auto time = context_.intake.take_step(*until, sender_);
         if (!time) return tell(time.error().why);
         for (sim::PoseLine line : said.lines) {

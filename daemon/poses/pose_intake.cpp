@@ -154,7 +154,7 @@ void PoseIntake::leap(SenderClock& sender) {
     const sim::Time before = lockstep_->clock().origin() + lockstep_->come_to(&sender);
     const sim::Time first = sender.leap().first();
     if (const auto others = leaps_told_.admit(std::chrono::steady_clock::now())) {
-        spdlog::warn("the stamps of poses have leapt{}: time goes on from there{}",
+        spdlog::warn("the stamps of poses jumped{}: time continues from there{}",
                      from_to(before, first), *others);
     }
     sender.leap().forget();

@@ -18,9 +18,8 @@
 #include "daemon/plan/load_trajectories.h"
 #include "daemon/plan/load_world.h"
 #include "daemon/plan/mounting.h"
-#include "daemon/plan/shared_serials.h"
+#include "daemon/plan/notices.h"
 #include "daemon/plan/unlikely_places.h"
-#include "daemon/plan/unseen_media.h"
 #include "daemon/program/check_file.h"
 #include "daemon/world/backend_choice.h"
 #include "sim/backends/registry.h"
@@ -53,7 +52,7 @@ void check_backends(const RobotConfig& robot, Sentences& faults) {
 }
 
 /// How many curves of errors the scanners have (noise, bias, light), and which share of them has no
-/// source: "6 (67 % assumed)".
+/// source: "6, 67 % of them assumed".
 std::string summary_of_curves(const Config& config) {
     long curves = 0;
     long assumed = 0;
@@ -68,7 +67,8 @@ std::string summary_of_curves(const Config& config) {
         }
     }
     const double share = 100.0 * double(assumed) / double(std::max(1L, curves));
-    return std::to_string(curves) + " (" + std::to_string(std::lround(share)) + " % assumed)";
+    return std::to_string(curves) + ", " + std::to_string(std::lround(share)) +
+           " % of them assumed";
 }
 
 std::string check_configuration(const std::filesystem::path& file, const Options& options) {
@@ -104,7 +104,7 @@ std::string check_configuration(const std::filesystem::path& file, const Options
         for (const std::string& line : *list)
             text += line + "\n";
     }
-    return text + file.string() + ": no faults; robots: " + std::to_string(config.robots.size()) +
+    return text + file.string() + ": no errors; robots: " + std::to_string(config.robots.size()) +
            ", sensors: " + std::to_string(sensors) +
            ", models: " + std::to_string(world.scene->models.size()) +
            ", materials: " + summary_of(*materials.library) +

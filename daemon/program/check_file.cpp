@@ -54,7 +54,7 @@ std::string answer(const Lines& lines, const std::filesystem::path& file, const 
     std::string said;
     for (const std::string& line : lines)
         said += line + "\n";
-    return said + file.string() + ": no faults; " + what + "\n";
+    return said + file.string() + ": no errors; " + what + "\n";
 }
 
 std::string materials_of(const sim::Scene& scene, const sim::MaterialLibrary& library) {

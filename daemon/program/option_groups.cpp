@@ -2,8 +2,11 @@
 // Copyright The scipd authors
 #include "daemon/program/option_groups.h"
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +14,7 @@
 #include "daemon/command_line/completions.h"
 #include "daemon/command_line/version.h"
 #include "daemon/config/doors.h"
+#include "daemon/config/file_kind.h"
 #include "daemon/config/mount.h"
 #include "daemon/config/numbers.h"
 #include "daemon/config/pose_source.h"
@@ -19,11 +23,59 @@
 #include "daemon/config/values.h"
 #include "daemon/models/model_registry.h"
 #include "daemon/program/option_group.h"
+#include "sim/loaders/mesh/mesh_file.h"
 
 namespace scipd::daemon {
 namespace {
 
 namespace fs = std::filesystem;
+using std::string_view_literals::operator""sv;
+
+constexpr std::array recordings{".mcap"sv,   ".bag"sv, ".db3"sv,  ".ubh"sv,    ".jsonl"sv,
+                                ".ndjson"sv, ".npy"sv, ".pcap"sv, ".pcapng"sv, ".log"sv};
+
+/// Options of scipd, and the same as other programs name them.
+constexpr std::array<std::pair<const char*, std::string_view>, 8> foreign_options{{
+    {"--tcp ADDR:PORT", " --port --host --ip --address "sv},
+    {"--pty LINK", " --device --tty --serial-port "sv},
+    {"--accuracy ideal|sensor|material, or `scipctl sensor set noise=2` for a factor", " --noise "},
+    {"--model MODEL", " --lidar --sensor --scanner "sv},
+    {"--scene FILE", " --sdf --urdf --mesh --file "sv},
+    {"--replay FILE", " --bag --recording "sv},
+    {"--log-level debug", " --verbose --debug "sv},
+    {"--http ADDR:PORT", " --web --page "sv},
+}};
+
+/// Configuration key equivalent to this option; empty if the option is not per scanner.
+std::string key_of(const CLI::Option& option) {
+    const std::string robot = "robots.ROBOT";
+    const std::string sensor = robot + ".sensors.SENSOR";
+    std::string name = option.get_name().substr(2);
+    std::ranges::replace(name, '-', '_');
+    if (name == "name") return sensor;
+    if (name == "sensor_from") return sensor + ".mount.sensor";
+    if (name == "loop") return sensor + ".replay.loop";
+    if (option.get_group() == robot_title) return robot + '.' + name;
+    return option.get_group() == scanner_title ? sensor + '.' + name : "";
+}
+
+/// Options that decide how a world is read, so that they go with --check.
+constexpr std::array of_reading{"--xacro"sv, "--geometry"sv};
+
+sim::Expected<> check_beside(const CLI::Option& alone, const CLI::Option& other) {
+    const std::string key = key_of(other);
+    if (alone.get_name() == "--check" &&
+        std::ranges::find(of_reading, other.get_name()) != of_reading.end())
+        return {};
+    if (alone.get_name() != "--config")
+        return sim::refuse(alone.get_name() + " cannot be combined with other options: leave " +
+                           other.get_name() + " out");
+    if (other.get_group() == alone_title)
+        return sim::refuse("--config and " + other.get_name() + " do not go together");
+    if (key.empty()) return {};
+    return sim::refuse(other.get_name() + " is for a scanner without a configuration: beside " +
+                       "--config, write " + key + " into the file");
+}
 
 void warn_of_degrees(const char* option, const std::string& text, OptionValues& said) {
     if (const auto warning = degrees_in_pose(text))
@@ -56,30 +108,30 @@ void add_world(CLI::App& app, OptionValues& said) {
               [&](const auto& text) {
                   return put(parse_file(text, fs::current_path()), over.materials);
               });
-    group.add(
-        "--clock", "CLOCK",
-        "wall; or poses: the stamps of the poses are the time, which stands still between them; "
-        "default: wall",
-        [&](const auto& text) { return put(parse_clock(text), over.clock); });
+    group.add("--clock", "CLOCK",
+              "wall; or poses: time advances with the stamps of the poses and is paused between "
+              "them; default: wall",
+              [&](const auto& text) { return put(parse_clock(text), over.clock); });
     group.add("--seed", "N", "the same seed gives the same noise; default: 1",
               [&](const auto& text) { return put(parse_seed(text), over.seed); });
 }
 
 void add_robot(CLI::App& app, OptionValues& said) {
     Group group{app, robot_title};
-    group.add("--name", "ROBOT/SENSOR", "what they are called; default: robot/scanner",
-              [&](const std::string& text) {
-                  const auto slash = text.find('/');
-                  if (slash == text.npos)
-                      return sim::Expected<>{sim::refuse(
-                          "must be ROBOT/SENSOR, such as rescue/front, not '" + text + "'")};
-                  return put(parse_name(text.substr(0, slash)), said.robot.name).and_then([&] {
-                      return put(parse_name(text.substr(slash + 1)), said.sensor.name);
-                  });
-              });
+    group.add(
+        "--name", "ROBOT/SENSOR", "names of the robot and its scanner; default: robot/scanner",
+        [&](const std::string& text) {
+            const auto slash = text.find('/');
+            if (slash == text.npos)
+                return sim::Expected<>{
+                    sim::refuse("must be ROBOT/SENSOR, such as rescue/front, not '" + text + "'")};
+            return put(parse_name(text.substr(0, slash)), said.robot.name).and_then([&] {
+                return put(parse_name(text.substr(slash + 1)), said.sensor.name);
+            });
+        });
     group.add(
         "--pose", "X,Y,YAW",
-        "where the robot starts, or X,Y,Z,ROLL,PITCH,YAW; default: 1,1,0 in the maze, else 0,0,0",
+        "start pose of the robot, or X,Y,Z,ROLL,PITCH,YAW; default: 1,1,0 in the maze, else 0,0,0",
         [&](const auto& text) {
             said.start_given = true;
             warn_of_degrees("--pose", text, said);
@@ -89,7 +141,7 @@ void add_robot(CLI::App& app, OptionValues& said) {
         "--poses", "SOURCE",
         "live poses: udp:ADDR:PORT, - for stdin, gz:[/TOPIC], ros2:/TOPIC, "
         "rosbridge:ws://HOST:PORT/TOPIC, vda5050:MANUFACTURER/SERIAL for a vehicle at the broker, "
-        "or a file that is played in real time: TUM, EuRoC, KITTI or CSV with a header",
+        "or a file played in real time: TUM, EuRoC, KITTI or CSV with a header",
         [&](const auto& text) {
             return put(parse_pose_source(text, fs::current_path()), said.robot.poses);
         });
@@ -101,17 +153,16 @@ void add_replay(Group& group, SensorConfig& sensor) {
               "rows of numbers, logs of CARMEN, CoreSLAM and Player, .npy or pcap; default: none",
               [&](const auto& text) {
                   if (!sensor.replay) sensor.replay.emplace();
-                  return put(parse_file(text, fs::current_path()), sensor.replay->file);
+                  return put(parse_recording(text, fs::current_path()), sensor.replay->file);
               });
     group
-        .add(
-            "--loop", "true|on|false",
-            "play it again at its end: each round has the recorded stamps (true), or the stamps go "
-            "on (on); default: false",
-            [&](const auto& text) {
-                if (!sensor.replay) sensor.replay.emplace();
-                return put(parse_loop(text), sensor.replay->loop);
-            })
+        .add("--loop", "true|on|false",
+             "restart it at its end, with the recorded stamps (true) or with stamps that go on "
+             "(on); default: false",
+             [&](const auto& text) {
+                 if (!sensor.replay) sensor.replay.emplace();
+                 return put(parse_loop(text), sensor.replay->loop);
+             })
         ->expected(0, 1)
         ->default_str("true")
         ->needs("--replay");
@@ -145,19 +196,20 @@ void add_scanner(CLI::App& app, OptionValues& said) {
              })
         ->excludes("--mount");
     group.add("--tcp", "ADDR:PORT",
-              "where it listens, or none; port 0 takes a free one; default: 127.0.0.1:10940",
+              "address to listen on, or none; port 0 picks a free port; default: 127.0.0.1:10940",
               [&](const auto& text) { return put(parse_listener(text), sensor.tcp); });
     group.add(
-        "--pty", "LINK", "the name of its tty, auto or none; default: auto",
+        "--pty", "LINK", "path of its tty, auto or none; default: auto",
         [&](const auto& text) { return put(parse_pty(text, fs::current_path()), sensor.pty); });
     group.add("--backend", "NAME", "auto or one of --list-backends; default: auto",
               [&](const auto& text) { return put(parse_backend(text), sensor.backend); });
     group.add("--accuracy", "ideal|sensor|material",
-              "what geometry says, the scanner's errors, or also those of what it sees; default: "
+              "exact geometry, with the scanner's own errors, or also with those that surfaces "
+              "cause; default: "
               "sensor",
               [&](const auto& text) { return put(parse_accuracy(text), sensor.accuracy); });
     group.add("--timing", "real|ideal",
-              "the pace of the real scanner, or answers at once; default: real",
+              "timing of the real scanner, or immediate answers; default: real",
               [&](const auto& text) { return put(parse_timing(text), sensor.timing); });
     group.add(
         "--power-up", "scip2.0|scip1.1|boot",
@@ -174,31 +226,38 @@ void add_daemon(CLI::App& app, OptionValues& said) {
                   return put(parse_socket(text, fs::current_path()), over.control);
               });
     group.add("--broker", "URL",
-              "share the world with other daemons by this MQTT broker, mqtt://HOST:PORT; default: "
-              "the world is this daemon's alone",
+              "share the world with other daemons through this MQTT broker, mqtt://HOST:PORT; "
+              "default: not shared",
               [&](const auto& text) { return put(parse_broker(text), over.broker); });
-    group.add("--world", "NAME", "which of the broker's worlds; goes with --broker",
-              [&](const auto& text) { return put(parse_world_name(text), over.world); });
+    group.add(
+        "--world", "NAME",
+        "name of the shared world at the broker; requires --broker. The file of a world is --scene",
+        [&](const auto& text) {
+            const std::string better = option_for(text);
+            if (!better.empty())
+                return sim::Expected<>{
+                    sim::refuse("names a shared world, not a file; did you mean " + better + "?")};
+            return put(parse_world_name(text), over.world);
+        });
 }
 
 void add_alone(CLI::App& app, OptionValues& said) {
     Group group{app, alone_title};
-    group.add(
-        "--config", "FILE.yaml",
-        "run what the file says; options of the world, the daemon and below go with it, and hold "
-        "in place of what it says",
-        [&](const auto& text) { return put<fs::path>(text, said.config); });
+    group.add("--config", "FILE.yaml",
+              "run this configuration; options of the groups World, Daemon and General may be "
+              "added and override it",
+              [&](const auto& text) { return put<fs::path>(text, said.config); });
     group.add("--check", "FILE",
-              "tell what a configuration, a world, a map, a mesh, a scenario, materials or a "
-              "trajectory holds and every fault in it, and end",
+              "validate a configuration, a world, a map, a mesh, a scenario, materials or a "
+              "trajectory: report its contents and every error, then exit",
               [&](const auto& text) { return put<fs::path>(text, said.check); });
     group.add_flag("--list-models", said.list_models,
-                   "list the scanners that scipd can be, and how sure each figure is");
+                   "list the scanners that scipd can emulate, and how certain each figure is");
     group.add_flag("--list-backends", said.list_backends,
-                   "list the ways in which this build computes ranges");
+                   "list the backends of this build, which compute ranges");
     group.add_flag(
         "--probe", said.probe,
-        "tell what this machine offers to a depth buffer, and end with 1 if it cannot draw");
+        "report what this machine offers for depth buffers; exit with 1 if it cannot draw");
     app.add_option("--completion", said.completion, "print completions for a shell")
         ->type_name("SHELL")
         ->check(CLI::IsMember(completion_shells()))
@@ -209,7 +268,8 @@ void add_alone(CLI::App& app, OptionValues& said) {
 void add_map(CLI::App& app, OptionValues& said) {
     Group group{app, map_title};
     group.add("--map", "MAP.yaml",
-              "write a ROS map of the world, for AMCL, and end; the picture MAP.pgm lies beside it",
+              "write a ROS map of the world, for AMCL, then exit; the picture MAP.pgm is written "
+              "beside it",
               [&](const auto& text) -> sim::Expected<> {
                   if (!text.ends_with(".yaml")) return sim::refuse("must end with .yaml");
                   return put<fs::path>(text, said.map.file);
@@ -234,46 +294,46 @@ void add_overrides(CLI::App& app, OptionValues& said) {
     Group group{app, general_title};
     app.add_flag("--free-ports", said.options.overrides.free_ports,
                  "scanners listen on free ports of 127.0.0.1 and have no ttys, whatever the "
-                 "configuration says: beside another scipd with it")
+                 "configuration says, so that two of it run side by side")
         ->group(general_title);
     group.add("--scenario", "FILE",
-              "what goes wrong at the scanners, and when; default: what the configuration says",
+              "faults to inject into the scanners, and when; default: that of the configuration",
               [&](const auto& text) {
                   return put(parse_file(text, fs::current_path()), said.options.overrides.scenario);
               });
     group.add("--http", "ADDR:PORT",
-              "where the live page and the control API listen on TCP, on loopback, or none; "
-              "default: what the configuration says, else none",
+              "TCP address of the live page and the control API, on loopback, or none; default: "
+              "that of the configuration, else none",
               [&](const auto& text) { return put(parse_http(text), said.options.overrides.http); });
 }
 
 /// Adds the options that go with all others.
 void add_general(CLI::App& app, OptionValues& said) {
     Group group{app, general_title};
-    app.add_option("--log-level", said.options.log_level, "how much scipd tells on standard error")
+    app.add_option("--log-level", said.options.log_level,
+                   "least severe messages that are logged on standard error")
         ->check(CLI::IsMember(
             {"trace", "debug", "info", "warning", "warn", "error", "critical", "off"}))
         ->capture_default_str()
         ->group(general_title);
     app.add_option("--log-format", said.options.log_format,
-                   "text for people, or json: a document a line")
+                   "text, or json: one JSON object per line")
         ->type_name("text|json")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str()
         ->group(general_title);
-    app.add_flag(
-           "--strict", said.options.overrides.strict,
-           "refuse a world or a trajectory of which scipd would leave out or change anything, and "
-           "numbers in a wrong unit, instead of warning")
+    app.add_flag("--strict", said.options.overrides.strict,
+                 "treat warnings as errors: refuse a world or trajectory that would be read only "
+                 "in part, and numbers that look like degrees or millimetres")
         ->group(general_title);
     group.add("--threads", "N",
-              "how many threads scanners live on, or with --clock poses are cast on; default: as "
-              "many as there are processors",
+              "number of threads that run the scanners, or with --clock poses cast their scans; "
+              "default: one per processor",
               [&said](const auto& text) { return put(parse_threads(text), said.options.threads); });
     app.set_version_flag("--version", version_of("scipd"), "print the version")
         ->group(general_title);
     app.set_help_flag();
-    app.set_help_flag("-h,--help", "print this text")->group(general_title);
+    app.set_help_flag("-h,--help")->group(general_title);
 }
 
 }  // namespace
@@ -295,6 +355,39 @@ void add_options(CLI::App& app, OptionValues& said) {
     add_map(app, said);
     add_overrides(app, said);
     add_general(app, said);
+}
+
+std::string option_for(const std::string& file) {
+    const std::string extension = sim::extension_of(file);
+    if (std::ranges::find(recordings, extension) != recordings.end()) return "--replay " + file;
+    const auto kind = kind_of(file);
+    if (!kind) return {};
+    if (*kind == FileKind::configuration) return "--config " + file;
+    if (*kind == FileKind::scenario) return "--scenario " + file;
+    if (*kind == FileKind::materials) return "--materials " + file;
+    if (*kind != FileKind::trajectory) return "--scene " + file;
+    // Any other table of numbers can be a recording.
+    return "--poses " + file + (extension == ".tum" ? "" : " or --replay " + file);
+}
+
+std::string replacement_for(const std::string& word) {
+    for (const auto& [option, names] : foreign_options)
+        if (names.find(" " + word + " ") != names.npos) return option;
+    return option_for(word);
+}
+
+/// Not CLI11's excludes(): it would list every pair in the help.
+sim::Expected<> check_together(const CLI::App& app) {
+    for (const CLI::Option* alone : app.get_options()) {
+        if (alone->get_group() != alone_title || alone->count() == 0) continue;
+        for (const CLI::Option* other : app.get_options()) {
+            if (other == alone || other->get_group() == general_title || other->count() == 0) {
+                continue;
+            }
+            if (const auto good = check_beside(*alone, *other); !good) return good;
+        }
+    }
+    return {};
 }
 
 }  // namespace scipd::daemon

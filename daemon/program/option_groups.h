@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The options of the command line, group by group: their help texts, and the values that a user
-// gave. parse_options.cpp decides what follows from the values. At the start, on the only thread.
+// The options of the command line, group by group: their help texts, the values that a user gave,
+// and which go together. parse_options.cpp decides what follows. At the start, on the only thread.
 #pragma once
 
 #include <filesystem>
@@ -48,5 +48,15 @@ struct OptionValues {
 
 /// Their texts go through the parsers of daemon/config, whose refusals become CLI's.
 void add_options(CLI::App& app, OptionValues& said);
+
+/// Refuses options that do not go together. --config goes with those that are of no scanner.
+[[nodiscard]] sim::Expected<> check_together(const CLI::App& app);
+
+/// The option that reads this file, followed by the file; empty if it is not there or of no use.
+[[nodiscard]] std::string option_for(const std::string& file);
+
+/// Text to use instead of a word that scipd does not know: a file without its option, or an option
+/// as other programs name it. Empty: none.
+[[nodiscard]] std::string replacement_for(const std::string& word);
 
 }  // namespace scipd::daemon

@@ -16,7 +16,6 @@
 #include "daemon/config/sensor.h"
 #include "daemon/program/check.h"
 #include "daemon/program/option_groups.h"
-#include "daemon/program/options_together.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/scene_file.h"
 
@@ -26,11 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* description =
-    "scipd is a Hokuyo laser scanner as far as any program can tell. It speaks SCIP over TCP and "
-    "a\n"
-    "tty, and its ranges come from a 3D world. Without options it is a UST-10LX in the demo "
-    "world.\n"
-    "When everything listens, it prints one line of JSON that tells where.";
+    "scipd emulates a Hokuyo laser scanner: programs cannot tell the difference. It speaks SCIP\n"
+    "over TCP and a tty, and its ranges come from a 3D world. Without options it is a UST-10LX in\n"
+    "the demo world. Once everything is ready, it prints one line of JSON with the addresses.";
 
 constexpr const char* examples = R"(Examples:
   scipd
@@ -42,11 +39,11 @@ constexpr const char* examples = R"(Examples:
   scipd --poses scenes/rescue_maze.tum --accuracy ideal
         drives through the maze, without noise
   scipd --config rig.yaml
-        any number of robots and scanners; scipd --check rig.yaml tells every fault in it
+        any number of robots and scanners; scipd --check rig.yaml reports every error in it
 
 Lengths are metres, angles radians; x is forward, y left, z up.
-Exit codes: 0 it ended as asked; 1 it failed while running, or --probe cannot draw here,
-or at the start its broker did not answer or the machine lacked an address to listen on;
+Exit codes: 0 stopped as requested; 1 failed while running, or --probe cannot draw here,
+or at the start the broker did not answer or the machine lacked an address to listen on;
 2 the options, the configuration or the world are wrong, or an address or a name is taken.)";
 
 Answer refusal(const std::string& sentence) {
@@ -54,13 +51,20 @@ Answer refusal(const std::string& sentence) {
 }
 
 Answer wrong_options(const std::string& why) {
-    return refusal("scipd: " + why + (why.ends_with('?') ? " See" : "; see") + " scipd --help");
+    return refusal("scipd: " + why);
+}
+
+/// For an option whose name or form is wrong; help does not help with a value.
+Answer unknown_options(const std::string& why) {
+    return wrong_options(why + (why.ends_with('?') ? "" : "; see scipd --help"));
 }
 
 /// A world is shared where both is said: how, and which.
 sim::Expected<> check_fleet(const Config& config) {
     if (config.fleet && (config.fleet->broker.host.empty() || config.fleet->world.empty()))
-        return sim::refuse("--broker and --world go together");
+        return sim::refuse(
+            "--broker and --world go together: they share a world. A world is loaded by --scene "
+            "FILE");
     for (const RobotConfig& robot : config.robots) {
         if (!config.fleet && robot.poses && robot.poses->kind == PoseSource::Kind::vda5050)
             return sim::refuse("--poses vda5050: goes with --broker and --world");
@@ -89,7 +93,7 @@ sim::Expected<> complete(OptionValues& said) {
     config.robots = {said.robot};
     config.allow = {sim::folder_of_scene(config.scene), fs::current_path()};
     if (!said.sensor.tcp && !said.sensor.pty)
-        return sim::refuse("--tcp none and --pty none: nobody could reach the scanner");
+        return sim::refuse("--tcp none and --pty none: no driver could reach the scanner");
     if ((mount && mount->chooses_model) || (replay && replay->finds_model)) return {};
     const auto good = check_power_up(said.sensor.power_up, said.sensor.model.profile);
     if (!good) return sim::refuse("--power-up: " + good.error().why);
@@ -103,6 +107,10 @@ std::variant<Options, Answer> act(OptionValues& said) {
     if (!said.check.empty()) return Answer{0, check(said.check, said.options)};
     Config& config = said.options.config;
     if (!said.config.empty()) {
+        const std::string better = option_for(said.config);
+        if (!better.empty() && !better.starts_with("--config "))
+            return wrong_options("--config: " + sim::quote(said.config.native()) +
+                                 " is not a configuration; did you mean " + better + "?");
         config = load_config(said.config);
         said.options.config_file = fs::absolute(said.config);
     }
@@ -135,7 +143,11 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     } catch (const CLI::CallForVersion& version) {
         return Answer{0, std::string{version.what()} + "\n"};
     } catch (const CLI::ExtrasError& error) {
-        return wrong_options(unknown_word(app).value_or(error.what()));
+        return unknown_options(unknown_word(app, replacement_for).value_or(error.what()));
+    } catch (const CLI::ValidationError& error) {
+        return wrong_options(error.what());
+    } catch (const CLI::ParseError& error) {
+        return unknown_options(error.what());
     } catch (const sim::LoadError& error) {
         return refusal(error.what());
     } catch (const std::exception& error) {

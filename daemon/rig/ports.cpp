@@ -37,7 +37,7 @@ std::shared_ptr<Port> open_tty(const boost::asio::any_io_executor& executor,
 void warn_of_strangers(const std::string& sensor, const Address& address, const Port& port) {
     if (is_loopback(address)) return;
     // SCIP has no passwords.
-    spdlog::warn("{} listens on {}: everybody who reaches this machine can use it", sensor,
+    spdlog::warn("{} listens on {}: every machine that reaches this one can use it", sensor,
                  port.address());
 }
 

@@ -11,7 +11,7 @@
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
 #include "daemon/fleet/shared_world.h"
-#include "daemon/plan/unseen_media.h"
+#include "daemon/plan/notices.h"
 #include "daemon/rig/report.h"
 #include "daemon/rig/sensor_editor.h"
 #include "daemon/rig/simulation.h"

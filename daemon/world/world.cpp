@@ -192,7 +192,7 @@ Placed World::place_robot(std::string_view name, const Placement& placement) {
 Placed World::place_only_robot(const Placement& placement) {
     if (robots_.size() != 1) {
         return refuse(Reason::unknown, "robot",
-                      "robot: say which; robots are " + names_of(robots_));
+                      "robot is missing; robots are " + names_of(robots_));
     }
     return place_robot(robots_.begin()->first, placement);
 }

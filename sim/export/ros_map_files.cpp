@@ -61,8 +61,8 @@ Expected<std::string> write_ros_map(const FloorMap& map, const std::filesystem::
                    " x " + std::to_string(map.rows) + " cells of " + short_text(map.resolution_m) +
                    " m" +
                    (map.is_closed ? ""
-                                  : "\nno robot stands where it could move: all cells without "
-                                    "a face are free, those inside of things too");
+                                  : "\nno robot stands in free space, so every cell without a wall "
+                                    "counts as free, also inside solid objects");
         });
 }
 

@@ -26,6 +26,15 @@ inline constexpr std::size_t whole_path = 4096;
 /// change its reading order, become \xNN.
 std::string shown(std::string_view text);
 
+/// The words with commas between them.
+template <class Words>
+std::string listed(const Words& words) {
+    std::string text;
+    for (const auto& word : words)
+        (text += text.empty() ? "" : ", ") += word;
+    return text;
+}
+
 /// The length of the longest beginning of the text that has at most `most` bytes and cuts no
 /// character in two.
 std::size_t whole_characters(std::string_view text, std::size_t most);

@@ -134,7 +134,7 @@ TEST_F(AddedSensor, IsRefusedWithWhatIsRight) {
     EXPECT_THAT(refusal({{"name", "r/s"}}, 409), HasSubstr("already"));
     EXPECT_THAT(refusal({{"model", "URG-05LX"}}), HasSubstr("the models are URG-04LX"));
     EXPECT_THAT(refusal({{"nose", 2}}), HasSubstr("did you mean noise?"));
-    EXPECT_THAT(refusal({{"tcp", "none"}}), HasSubstr("nobody can reach it"));
+    EXPECT_THAT(refusal({{"tcp", "none"}}), HasSubstr("no driver could reach it"));
     EXPECT_THAT(refusal({{"pty", "/tmp/tty"}}, 403), HasSubstr("auto"));
     EXPECT_THAT(refusal({{"replay", {{"file", "/etc/hostname"}}}}, 403), HasSubstr("replay"));
     EXPECT_THAT(refusal({{"pose", {{"xyz", {1, 0, 0}}}}}, 409), HasSubstr("PUT /robots/r/pose"));

@@ -164,5 +164,20 @@ TEST_F(Media, SaySoWhereNoScannerSeesThem) {
     EXPECT_FALSE(json::parse(cleared.body).contains("notes"));
 }
 
+// Most worlds define materials, and most scanners see none: that is nothing to read at each start.
+TEST(Materials, ThatNoScannerSeesAreNotedAtDebug) {
+    const auto log_at = [](const std::string& level) {
+        const TempDir directory;
+        DaemonProcess daemon(directory, {"--free-ports", "--log-level", level});
+        EXPECT_NE(daemon.ready_line(), "") << daemon.standard_error();
+        daemon.signal(SIGTERM);
+        EXPECT_EQ(daemon.wait(), 0);
+        return daemon.standard_error();
+    };
+    const std::string notice = ", but they have no effect: no scanner uses `accuracy: material`";
+    EXPECT_THAT(log_at("info"), testing::Not(HasSubstr(notice)));
+    EXPECT_THAT(log_at("debug"), HasSubstr(notice));
+}
+
 }  // namespace
 }  // namespace scipd::tests

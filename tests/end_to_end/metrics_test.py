@@ -200,7 +200,7 @@ def check_log(lab):
     assert all(re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z", entry["time"]) for entry in entries), entries
     fault, = [entry for entry in entries if entry["message"].endswith("begins")]
     assert fault["sensor"] == "robot/front" and fault["message"].startswith("fault 1, status, at scan "), fault
-    assert {**entries[-1], "time": ""} == {"time": "", "level": "info", "message": "ended by signal 15"}, entries[-1]
+    assert {**entries[-1], "time": ""} == {"time": "", "level": "info", "message": "stopped (SIGTERM)"}, entries[-1]
 
 
 def main():

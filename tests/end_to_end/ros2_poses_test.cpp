@@ -129,7 +129,7 @@ TEST_F(Ros2Poses, TellWhatIsNotThere) {
     const DaemonProcess daemon(directory_, on_tcp({"--poses", "ros2:/odm"}));
     ASSERT_TRUE(eventually([&] { return !source_of(daemon).at("troubles").empty(); }));
     const std::string trouble =
-        "nobody publishes /odm; did you mean '/odom'? (ROS domain " + std::to_string(domain_) + ')';
+        "no publisher of /odm; did you mean '/odom'? (ROS domain " + std::to_string(domain_) + ')';
     EXPECT_EQ(source_of(daemon).at("troubles").at(0), trouble);
     const Outcome shown = run({SCIPCTL, "--control", daemon.control(), "pose", "sources"});
     EXPECT_EQ(shown.exit_code, 0) << shown.err;

@@ -31,7 +31,7 @@ def test_it_is_ready_where_it_says(room):
         assert daemon.exit_code is None
     assert not folder.exists()
     assert daemon.exit_code == 0
-    assert "ended by signal 15" in daemon.log, "the log can be read afterwards"
+    assert "stopped (SIGTERM)" in daemon.log, "the log can be read afterwards"
     daemon.close()
     with pytest.raises(ScipdEnded, match="was closed"):
         daemon.robot().pose

@@ -47,7 +47,7 @@ TEST_F(Ending, LeavesNothingBehind) {
     EXPECT_FALSE(runs(process));
     EXPECT_FALSE(exists(folder));
     EXPECT_EQ(scipd.exit_code(), 0);
-    EXPECT_THAT(scipd.log(), HasSubstr("ended by signal 15"));
+    EXPECT_THAT(scipd.log(), HasSubstr("stopped (SIGTERM)"));
     EXPECT_THROW((void)scipd.robot().pose(), ScipdEnded);
     scipd.close();
 }

@@ -29,7 +29,7 @@ TEST(Fixture, KeepsLogWireAndLastScansOfATestThatFails) {
     EXPECT_EQ(done.exit_code, 1) << done.err;
     const auto kept = folder.path() / "KeptWhenFailed.Fails";
     EXPECT_THAT(done.err, HasSubstr(kept.string()));
-    EXPECT_THAT(tests::read_file(kept / "scipd.log"), HasSubstr("ended by signal 15"));
+    EXPECT_THAT(tests::read_file(kept / "scipd.log"), HasSubstr("stopped (SIGTERM)"));
     EXPECT_THAT(tests::read_file(kept / "wire.txt"), HasSubstr("tcp > ME0000108001001: "));
     EXPECT_FALSE(exists(folder.path() / "KeptWhenFailed.Passes"));
 

@@ -36,11 +36,10 @@ void add_setup(CLI::App& capacity, CapacitySetup& setup) {
     capacity.add_flag("--driving", setup.driving,
                       "every robot drives in a circle, by 50 poses a second from a file");
     capacity
-        .add_option("--moving", setup.moving,
-                    "so many boxes go round among them, by 50 poses a second each")
+        .add_option("--moving", setup.moving, "N boxes move among them, by 50 poses a second each")
         ->check(whole_within(0, 10'000))
         ->option_text("N [0]");
-    capacity.add_option("--threads", setup.threads, "how many threads the scanners live on")
+    capacity.add_option("--threads", setup.threads, "number of threads that run the scanners")
         ->check(whole_within(1, 1024))
         ->option_text("N [scipd's own choice]");
 }
@@ -51,26 +50,28 @@ void add_capacity(CLI::App& program) {
     constexpr int most_scanners = 20'000;
     const auto asked = std::make_shared<Asked>();
     CapacityQuestion& question = asked->question;
-    CLI::App* capacity = program.add_subcommand(
-        "capacity",
-        "find out how many scanners one scipd can be on this machine without losing a "
-        "scan, what they cost and what limits");
+    CLI::App* capacity =
+        program.add_subcommand("capacity",
+                               "find out how many scanners one scipd can emulate on this machine "
+                               "without losing a scan, what they cost and what limits");
     capacity->alias("fleet");  // as it was called in 0.1
     add_setup(*capacity, question.setup);
-    capacity->add_option("-s,--seconds", asked->seconds, "how long each run streams")
+    capacity->add_option("-s,--seconds", asked->seconds, "duration of each run")
         ->check(whole_within(1, 1'000'000))
         ->capture_default_str();
     auto* const scanners =
-        capacity->add_option("-n,--scanners", question.scanners, "run so many, and do not search")
+        capacity
+            ->add_option("-n,--scanners", question.scanners, "run N scanners instead of searching")
             ->check(whole_within(1, most_scanners))
             ->option_text("N");
-    auto* const most = capacity->add_option("--most", question.most, "try no more than so many")
+    auto* const most = capacity->add_option("--most", question.most, "upper limit of the search")
                            ->check(whole_within(1, most_scanners))
                            ->excludes(scanners)
                            ->option_text("N");
-    auto* const csv = capacity->add_option("--csv", question.csv, "table to write, a run a line")
-                          ->check(can_be_written)
-                          ->option_text("FILE.csv");
+    auto* const csv =
+        capacity->add_option("--csv", question.csv, "table to write, one line per run")
+            ->check(can_be_written)
+            ->option_text("FILE.csv");
     auto* const plot =
         capacity->add_option("-o,--plot", question.plot, "picture to draw: the share of all cores")
             ->check(is_picture)
@@ -78,8 +79,8 @@ void add_capacity(CLI::App& program) {
             ->option_text("FILE.png|FILE.svg");
     capacity
         ->add_flag("--start", asked->start,
-                   "measure instead how soon 500 scanners are ready, or --scanners, and how soon "
-                   "scipd answers GET /status then")
+                   "measure the start instead: the time until 500 scanners, or --scanners, are "
+                   "ready, and until scipd answers GET /status")
         ->excludes(csv)
         ->excludes(plot)
         ->excludes(most)

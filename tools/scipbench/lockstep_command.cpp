@@ -50,24 +50,24 @@ void add_lockstep(CLI::App& program) {
     LockstepQuestion& question = said->question;
     question.threads = {1};
     if (processors() > 1) question.threads.push_back(processors());
-    CLI::App* command = program.add_subcommand(
-        "lockstep",
-        "measure how many times as fast as real time scipd goes in lockstep (clock: poses), with "
-        "one thread and with as many as there are processors");
+    CLI::App* command =
+        program.add_subcommand("lockstep",
+                               "measure the real-time factor of scipd in lockstep (clock: poses), "
+                               "with one thread and with one per processor");
     add_world_and_scanner(*command, question.setup);
-    command->add_option("-n,--scanners", question.scanners, "so many, each on a robot that drives")
+    command
+        ->add_option("-n,--scanners", question.scanners,
+                     "number of scanners, each on a robot that drives")
         ->check(whole_within(1, 20'000))
         ->capture_default_str();
-    command
-        ->add_option("-s,--seconds", said->seconds, "how much of the world's time each run takes")
+    command->add_option("-s,--seconds", said->seconds, "duration of each run in the world's time")
         ->check(whole_within(1, 1'000'000))
         ->capture_default_str();
     command->add_option("--threads", question.threads, "numbers of threads to compare")
         ->delimiter(',')
         ->check(whole_within(1, 1024))
         ->option_text("N,... [1 and all]");
-    command
-        ->add_option("--rounds", question.rounds, "how often each is measured, one after the other")
+    command->add_option("--rounds", question.rounds, "number of measurements of each, in turn")
         ->check(whole_within(1, 1000))
         ->capture_default_str();
     command->add_flag("--json", said->json, "as a JSON document");

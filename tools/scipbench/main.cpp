@@ -20,7 +20,6 @@
 #include "sim/loaders/materials/materials_file.h"
 #include "sim/loaders/scene_file.h"
 #include "sim/sensor/scanner.h"
-#include "tools/completion_command.h"
 #include "tools/options.h"
 #include "tools/output_file.h"
 #include "tools/scipbench/capacity_command.h"
@@ -66,7 +65,7 @@ sim::SharedScene load(const Said& said) {
 /// The consequence for a table, and the reason; empty if this machine can draw.
 std::string what_is_missing(const std::string& consequence) {
     const std::string why = why_nothing_is_drawn();
-    return why.empty() ? why : consequence + ": " + why + "; `scipd --probe` tells more";
+    return why.empty() ? why : consequence + ": " + why + "; `scipd --probe` shows more";
 }
 
 /// Prints it before the measuring begins, which takes minutes. Returns whether anything is missing.
@@ -150,7 +149,7 @@ std::string is_target(const std::string& text) {
 
 void add_load(CLI::App& program, Said& said) {
     CLI::App* load = program.add_subcommand(
-        "load", "have scanners stream all at once, and check every byte that comes");
+        "load", "stream from all scanners at once, and check every byte received");
     load->add_option("TARGET", said.targets,
                      "scanners, real or emulated: tcp://HOST:PORT or a tty, each")
         ->required()
@@ -192,7 +191,9 @@ void add_table_options(CLI::App& command, Said& said) {
     command.add_option("--csv", said.csv, "table to write")
         ->check(can_be_written)
         ->option_text("FILE.csv");
-    command.add_option("-n,--repetitions", said.repetitions, "how often each measurement is made")
+    command
+        .add_option("-n,--repetitions", said.repetitions,
+                    "number of repetitions of each measurement")
         ->check(whole_within(2, 100'000))
         ->capture_default_str();
 }
@@ -202,26 +203,27 @@ void add_table_options(CLI::App& command, Said& said) {
 
 int main(int argc, char** argv) {
     using namespace scipd::tools;
-    CLI::App program("Compares the ways to compute ranges, on this machine.", "scipbench");
+    CLI::App program("Compares range backends and measures the capacity of this machine.",
+                     "scipbench");
     program.require_subcommand(1);
     Said said;
     CLI::App* table3 = add(program, "table3",
-                           "measure what a scan costs at each resolution, by rays "
-                           "and by depth buffer, as in the paper's Table 3",
+                           "measure the cost of a scan at each resolution, by rays and by depth "
+                           "buffer, as in the paper's Table 3",
                            said, run_table3);
     add_table_options(*table3, said);
     add_plot(*table3, said);
     CLI::App* table4 =
-        add(program, "table4", "measure what reading back costs, as in the paper's Table 4", said,
+        add(program, "table4", "measure the cost of reading back, as in the paper's Table 4", said,
             run_table4);
     add_table_options(*table4, said);
     CLI::App* compare =
-        add(program, "compare", "make the same scans by every backend, and compare them", said,
+        add(program, "compare", "cast the same scans with every backend, and compare them", said,
             run_compare);
     compare->add_option("--model", said.model, "a scanner of `scipd --list-models`")
         ->check(is_model)
         ->option_text("MODEL");
-    compare->add_option("--poses", said.poses, "how many scans to make, each from another place")
+    compare->add_option("--poses", said.poses, "number of scans, each from another pose")
         ->check(whole_within(2, 100'000))
         ->capture_default_str();
     compare->add_flag("--json", said.json, "as a JSON document");
@@ -235,7 +237,7 @@ int main(int argc, char** argv) {
     add_capacity(program);
     add_lockstep(program);
     // Last, since commands take it over.
-    program.footer("scipbench COMMAND --help tells more.");
+    program.footer("scipbench COMMAND --help shows the options of a command.");
     add_completion_command(program);
     return run(program, argc, argv);
 }

@@ -85,7 +85,7 @@ void check_scanner(const CheckOptions& options) {
 
 void add_check_command(CLI::App& program) {
     auto* const command = program.add_subcommand(
-        "check", "hold the scanner to what SCIP and recorded firmwares promise");
+        "check", "check that the scanner conforms to SCIP and to recorded firmware behaviour");
     const auto options = std::make_shared<CheckOptions>();
     options->connection.add_to(*command);
     command
@@ -94,12 +94,11 @@ void add_check_command(CLI::App& program) {
         ->check(CLI::Validator(why_no_section, "", "section"))
         ->take_all();
     command->add_flag("--unsafe", options->wanted.unsafe,
-                      "also what writes settings, stops the motor or reboots");
+                      "also run checks that write settings, stop the motor or reboot");
     const CLI::Validator writable(can_be_written, "", "file");
-    command->add_option("--junit", options->junit, "a report for build servers, in XML")
+    command->add_option("--junit", options->junit, "write a JUnit report (XML), for build servers")
         ->check(writable);
-    command->add_option("--html", options->html, "a report for people, as one page")
-        ->check(writable);
+    command->add_option("--html", options->html, "write a report as an HTML page")->check(writable);
     command->add_flag("--json", options->json, "as a JSON document");
     command->callback([options] { check_scanner(*options); });
     command->footer(

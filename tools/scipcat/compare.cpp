@@ -59,24 +59,23 @@ void compare(const CompareOptions& options) {
 }  // namespace
 
 void add_compare_command(CLI::App& program) {
-    auto* const command = program.add_subcommand(
-        "compare", "tell how the scans of two scanners or recordings differ");
+    auto* const command =
+        program.add_subcommand("compare", "compare the scans of two scanners or recordings");
     const auto options = std::make_shared<CompareOptions>();
     options->a.connection.add_to(*command, Targets::scanners_and_recordings, "A");
     add_target(*command, "B", options->b.connection.target, Targets::scanners_and_recordings);
     command
         ->add_option("-n,--scans", options->a.scans,
-                     "how many scans of each; default: 100 of a scanner, of a recording all")
+                     "number of scans of each; default: 100 of a scanner, all of a recording")
         ->check(whole_from(4));
     options->scan.add_to(*command);
     command->add_option("--stream-a", options->a.stream,
-                        "of a recording with several streams: which one is A; default: the first");
+                        "stream of a recording to use as A; default: the first");
     command->add_option("--stream-b", options->b.stream, "the same for B");
-    command->add_flag("--no-fit", options->no_fit,
-                      "take B to stand where A does, and do not look for its place");
+    command->add_flag("--no-fit", options->no_fit, "take B's pose to be A's instead of fitting it");
     command
         ->add_option("-o,--output", options->file,
-                     "a report: a page for people, a picture, or all figures")
+                     "a report: an HTML page, a picture, or all figures as JSON")
         ->check(ends_in({".html", ".png", ".json"}))
         ->check(CLI::Validator(can_be_written, "", "file"));
     command->add_flag("--json", options->json, "as a JSON document");
@@ -88,7 +87,7 @@ void add_compare_command(CLI::App& program) {
     });
     command->footer(
         "The exit code is 0 if they are alike, 1 if they differ, 2 if they cannot be compared.\n"
-        "What differs does so by more than chance, and by more than A's halves differ.\n"
+        "A difference counts if it exceeds chance and the difference between A's two halves.\n"
         "Examples:\n"
         "  scipcat compare tcp://192.168.0.10:10940 tcp://127.0.0.1:10940\n"
         "  scipcat compare real.mcap /dev/ttyACM0 -n 400\n"

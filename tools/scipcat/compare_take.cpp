@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <ranges>
 #include <utility>
 #include <variant>
 
@@ -19,14 +20,6 @@ namespace scipd::tools {
 namespace {
 
 using comparing::Taken;
-
-/// In the order of the file, with commas.
-std::string names_of(const sim::Recording& recording) {
-    std::string names;
-    for (const sim::RecordedStream& stream : recording.streams())
-        names += (names.empty() ? "" : ", ") + stream.name;
-    return names;
-}
 
 Taken take_recorded(const TakeOptions& options, const std::string& letter) {
     const std::string& file = options.connection.target;
@@ -51,8 +44,9 @@ Taken take_recorded(const TakeOptions& options, const std::string& letter) {
         progress.tell(series->scans());
     }
     if (!series && !options.stream.empty())
-        throw WrongInput(file + " has no stream \"" + options.stream + "\" with scans; it has " +
-                         names_of(*recording));
+        throw WrongInput(
+            file + " has no stream \"" + options.stream + "\" with scans; it has " +
+            sim::listed(recording->streams() | std::views::transform(&sim::RecordedStream::name)));
     if (!series) throw WrongInput(file + " holds no scans");
     const bool several = recording->streams().size() > 1;
     return {several ? file + " " + recording->streams()[*stream].name : file, *std::move(series)};

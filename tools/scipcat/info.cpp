@@ -116,7 +116,7 @@ void show(const InfoOptions& options) {
 
 void add_info_command(CLI::App& program) {
     auto* const command = program.add_subcommand(
-        "info", "show what a scanner says of itself, or what a recording holds");
+        "info", "show the identity and state of a scanner, or the contents of a recording");
     const auto options = std::make_shared<InfoOptions>();
     options->connection.add_to(*command, Targets::scanners_and_recordings);
     command->add_flag("--json", options->json, "as a JSON document");

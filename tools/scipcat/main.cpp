@@ -4,14 +4,13 @@
 // scipcat: talks to any SCIP scanner, real or emulated, over TCP or a tty.
 #include <CLI/CLI.hpp>
 
-#include "tools/completion_command.h"
 #include "tools/options.h"
 #include "tools/scipcat/scipcat_commands.h"
 
 int main(int argc, char** argv) {
     CLI::App program("Talks to any SCIP scanner, real or emulated, over TCP or a tty.", "scipcat");
     program.require_subcommand(1);
-    program.footer("scipcat COMMAND --help tells more.");
+    program.footer("scipcat COMMAND --help shows the options of a command.");
     scipd::tools::add_info_command(program);
     scipd::tools::add_record_command(program);
     scipd::tools::add_plot_command(program);

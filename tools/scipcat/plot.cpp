@@ -129,7 +129,7 @@ void check(const PlotOptions& options) {
         throw CLI::ValidationError("--color material and error need a scanner of a scipd");
     if (options.number > 1 && !recorded) throw CLI::ValidationError("--scan needs a recording");
     if (!options.model.empty() && !recorded)
-        throw CLI::ValidationError("--model needs a recording; a scanner says what it is");
+        throw CLI::ValidationError("--model is for recordings; a scanner reports its model");
 }
 
 }  // namespace
@@ -139,11 +139,10 @@ void add_plot_command(CLI::App& program) {
         program.add_subcommand("plot", "draw one scan from above, in the terminal or as a picture");
     const auto options = std::make_shared<PlotOptions>();
     options->connection.add_to(*command, Targets::scanners_and_recordings);
-    command->add_option("--scan", options->number, "of a recording: which scan, from 1")
+    command->add_option("--scan", options->number, "which scan of a recording to draw (1 = first)")
         ->check(whole_from(1));
     command->add_option("--model", options->model,
-                        "of a recording that does not say where its steps look: what it was "
-                        "recorded from, one of scipd --list-models");
+                        "model that made a recording without angles, one of scipd --list-models");
     command->add_option("-o,--output", options->file, "the picture; default: in the terminal")
         ->check(ends_in({".png", ".svg"}));
     command->add_option("--title", options->title, "title; default: the model");
@@ -152,8 +151,8 @@ void add_plot_command(CLI::App& program) {
                       "draw the second and third echoes as well, as other marks");
     command
         ->add_option("--color", options->colour,
-                     "what colours mean: distance, intensity, or, of a scipd's scanner, material "
-                     "or error (sent - true)")
+                     "quantity shown as colour: distance, intensity, or, for a scanner of scipd, "
+                     "material or error (sent - true)")
         ->transform(CLI::CheckedTransformer(colour_names())
                         .description(CLI::detail::generate_map(colour_names(), true)));
     options->truth.add_to(*command);
@@ -163,7 +162,7 @@ void add_plot_command(CLI::App& program) {
     });
     command->footer(
         "Forward is up, and left is left. What is out of range is not drawn.\n"
-        "A scipd's control socket tells the materials and errors of its scanners.\n"
+        "Materials and errors are read from the control socket of scipd.\n"
         "Examples:\n"
         "  scipcat plot tcp://127.0.0.1:10940\n"
         "  scipcat plot tcp://127.0.0.1:10940 --color error\n"

@@ -28,7 +28,7 @@ void run(ProxyOptions& options) {
     if (!wanted.listen.empty() && !wanted.pty.empty())
         throw WrongInput("--listen and --pty do not go together: give one of both");
     if (wanted.listen.empty() && wanted.pty.empty())
-        throw WrongInput("say where drivers find the proxy: by --listen ADDR:PORT or --pty LINK");
+        throw WrongInput("drivers need an address of the proxy: --listen ADDR:PORT or --pty LINK");
     wanted.scanner = options.connection.target;
     wanted.target = parse_target(wanted.scanner);
     wanted.open.baud = options.connection.baud;
@@ -45,13 +45,15 @@ void run(ProxyOptions& options) {
 
 void add_proxy_command(CLI::App& program) {
     auto* const command = program.add_subcommand(
-        "proxy", "stand between a driver and a scanner: hand on, record, compare, disturb");
+        "proxy", "forward between a driver and a scanner: record, compare, inject faults");
     const auto options = std::make_shared<ProxyOptions>();
     ProxyWanted& wanted = options->wanted;
     options->connection.add_to(*command);
-    command->add_option("--listen", wanted.listen, "where drivers connect; port 0 takes a free one")
+    command
+        ->add_option("--listen", wanted.listen,
+                     "address for drivers to connect to; port 0 picks a free port")
         ->type_name("ADDR:PORT");
-    command->add_option("--pty", wanted.pty, "the name of a tty that drivers open")
+    command->add_option("--pty", wanted.pty, "path of a tty for drivers to open")
         ->type_name("LINK");
     const CLI::Validator writable(can_be_written, "", "file");
     command
@@ -63,16 +65,16 @@ void add_proxy_command(CLI::App& program) {
         ->check(writable);
     command
         ->add_option("--twin", wanted.twin,
-                     "hold each scan against those of this scanner, or of the only one of this "
+                     "compare each scan with those of this scanner, or of the only one of this "
                      "configuration of scipd")
         ->type_name("TARGET|CONFIG");
     command
         ->add_option("--tolerance", options->tolerance_m,
-                     "what they may differ by, in m; default: 0.1")
+                     "largest difference allowed, in m; default: 0.1")
         ->check(number_within(0.001, 100));
     command
         ->add_option("--fault", wanted.faults,
-                     "what goes wrong, such as stall,at.s=5,for.s=2; may be given more than once")
+                     "fault to inject, such as stall,at.s=5,for.s=2; may be given more than once")
         ->type_name("KIND[,MEMBER=VALUE...]")
         ->take_all();
     command->add_flag("--json", wanted.json, "as JSON, an object a line");

@@ -29,7 +29,7 @@ void report(const Recorded& recorded, const std::string& file) {
     std::cerr << recorded.scans << (recorded.scans == 1 ? " scan" : " scans") << " recorded to "
               << file;
     if (recorded.damaged > 0)
-        std::cerr << "; " << recorded.damaged << " came damaged and were left out";
+        std::cerr << "; " << recorded.damaged << " arrived damaged and were dropped";
     std::cerr << '\n';
 }
 
@@ -56,12 +56,13 @@ void add_record_command(CLI::App& program) {
                      "has every byte both ways, for Foxglove and Lichtblick; .ubh is UrgBenri's")
         ->required()
         ->check(ends_in({sim::recording_endings.begin(), sim::recording_endings.end()}));
-    command->add_option("-n,--scans", options->scans, "how many scans; default: until Ctrl-C")
+    command->add_option("-n,--scans", options->scans, "number of scans; default: until Ctrl-C")
         ->check(whole_from(1));
     options->scan.add_to(*command);
     command->add_flag("--echoes", options->scan.echoes,
-                      "ask for every echo (UTM-30LX-EW, UXM-30LX)");
-    command->add_option("--compression", options->compression, "of .mcap; default: zstd")
+                      "request every echo (UTM-30LX-EW, UXM-30LX)");
+    command
+        ->add_option("--compression", options->compression, "compression of .mcap; default: zstd")
         ->transform(CLI::CheckedTransformer(compression_names())
                         .description(CLI::detail::generate_map(compression_names(), true)));
     command->callback([options] { record(*options); });

@@ -21,7 +21,7 @@ struct RecordLimits {
 
 struct Recorded {
     std::uint64_t scans = 0;
-    std::size_t damaged = 0;  ///< scans that came damaged and were left out
+    std::size_t damaged = 0;  ///< scans that arrived damaged and were dropped
     bool interrupted = false;
 };
 

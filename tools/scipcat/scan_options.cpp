@@ -44,7 +44,7 @@ void add_target(CLI::App& command, const std::string& name, std::string& target,
 
 void ConnectionOptions::add_to(CLI::App& command, Targets targets, const std::string& name) {
     add_target(command, name, target, targets);
-    command.add_option("--baud", baud, "rate of a tty; means nothing to a USB scanner")
+    command.add_option("--baud", baud, "bit rate of a tty; has no effect on a USB scanner")
         ->check(whole_within(1200, 4'000'000))
         ->capture_default_str();
     command.add_option("--timeout", timeout_s, "seconds to wait for each answer")
@@ -77,7 +77,7 @@ void ScanOptions::add_to(CLI::App& command) {
     command.add_option("--cluster", cluster, "how many neighbouring steps give one value")
         ->check(whole_within(1, max_cluster))
         ->capture_default_str();
-    command.add_flag("--intensity", intensity, "ask for intensities as well");
+    command.add_flag("--intensity", intensity, "request intensities as well");
 }
 
 protocol::client::ScanRequest ScanOptions::request(
@@ -94,8 +94,8 @@ protocol::client::ScanRequest ScanOptions::request(
 void ScanOptions::take_all_of_recording() const {
     if (start || end || cluster != 1)
         throw WrongInput(
-            "--start, --end and --cluster tell a scanner what to send, and a recording is there "
-            "already: leave them out");
+            "--start, --end and --cluster are requests to a scanner: leave them out for a "
+            "recording");
 }
 
 CLI::Validator ends_in(const std::vector<std::string>& endings) {

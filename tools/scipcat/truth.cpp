@@ -111,7 +111,7 @@ void TruthOptions::add_to(CLI::App& command) {
     control = daemon::usual_control_socket();
     command.add_option("--truth", sensor,
                        "the scanner's name in its scipd, as ROBOT/SENSOR; default: by its address");
-    named_ = command.add_option("--control", control, "that scipd's control socket")
+    named_ = command.add_option("--control", control, "control socket of that scipd")
                  ->capture_default_str();
 }
 

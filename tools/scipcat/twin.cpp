@@ -105,21 +105,21 @@ void make_twin(const TwinOptions& options) {
 
 void add_twin_command(CLI::App& program) {
     auto* const command = program.add_subcommand(
-        "twin", "make of a standing scanner one that scipd runs, in the room that it sees");
+        "twin", "make a twin of a real, stationary scanner, with the room it sees");
     const auto options = std::make_shared<TwinOptions>();
     options->connection.add_to(*command);
     command
-        ->add_option("-o,--output", options->folder,
-                     "where twin.yaml, room.sdf, report.html and the recordings are written; old "
-                     "ones are replaced")
+        ->add_option(
+            "-o,--output", options->folder,
+            "folder for twin.yaml, room.sdf, report.html and the recordings; old ones are replaced")
         ->required()
         ->type_name("DIR");
     command
         ->add_option("--seconds", options->seconds,
-                     "how long it stands for each recording; nothing may move before it meanwhile")
+                     "duration of each recording, in which nothing in view may move")
         ->check(number_within(1.0, 3600.0))
         ->capture_default_str();
-    command->add_flag("--json", options->json, "tell what was found as a JSON document");
+    command->add_flag("--json", options->json, "print the results as a JSON document");
     command->callback([options] { make_twin(*options); });
     command->footer(
         "On a terminal it asks you to turn the scanner once. Elsewhere it asks nothing.\n"

@@ -44,8 +44,7 @@ void add_broker_options(CLI::App& command, BrokerOptions& options, const std::st
         .add_option("--user-file", options.user_file, "a file with USER:PASSWORD for the broker")
         ->check(CLI::ExistingFile);
     command
-        .add_option("--ca", options.ca,
-                    "a file of the authorities that may vouch for an mqtts:// broker")
+        .add_option("--ca", options.ca, "file of CA certificates that verify an mqtts:// broker")
         ->check(CLI::ExistingFile);
 }
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "tools/scipctl/robots.h"
+#include "tools/scipctl/names.h"
 
 namespace scipd::tools {
 namespace {

@@ -16,8 +16,8 @@
 #include "tools/control_client.h"
 #include "tools/options.h"
 #include "tools/scipctl/fault_words.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/scipctl_commands.h"
-#include "tools/scipctl/sensor_question.h"
 #include "tools/scipctl/table.h"
 
 namespace scipd::tools {
@@ -61,11 +61,12 @@ std::string faults_path(const std::string& sensor) {
 Json request_of(const StartOptions& options) {
     const FaultWords& words = options.fault;
     if (options.json.empty()) {
-        if (words.kind.empty()) throw WrongInput("say what is to go wrong: fault kinds lists it");
+        if (words.kind.empty())
+            throw WrongInput("name a kind of fault; `scipctl fault kinds` lists them");
         return fault_of(words);
     }
     if (!words.kind.empty() || fault_of(words).size() > 1)
-        throw WrongInput("--json has all of the fault: leave out what else says of it");
+        throw WrongInput("--json is the whole fault: leave out the other options");
     Json fault = Json::parse(options.json, nullptr, false);
     if (!fault.is_object())
         throw WrongInput(R"(--json must be an object such as {"kind":"stall"})");
@@ -142,7 +143,7 @@ void list(const ControlOptions& control, const ListOptions& options) {
     const Json faults =
         options.sensor.empty() ? all_faults(client) : faults_of(client, options.sensor);
     if (options.json) return void(std::cout << json_text(faults, 2) << '\n');
-    if (faults.empty()) return void(std::cout << "nothing goes wrong on purpose\n");
+    if (faults.empty()) return void(std::cout << "no faults are pending or active\n");
     std::vector<Row> rows{{"SENSOR", "ID", "KIND", "STATE", "HITS", "STEP", "HOW"}};
     for (const Json& fault : faults) {
         rows.push_back({fault.at("sensor"), fault.at("id").dump(), fault.at("kind"),
@@ -152,18 +153,11 @@ void list(const ControlOptions& control, const ListOptions& options) {
     print_table(std::cout, rows);
 }
 
-std::string joined(const Json& names) {
-    std::string text;
-    for (const Json& name : names)
-        text.append(text.empty() ? "" : ", ").append(name.get<std::string>());
-    return text.empty() ? "-" : text;
-}
-
 void list_kinds(const ControlOptions& control, const KindsOptions& options) {
     ControlClient client(control.socket);
     const Json kinds = client.get("/faults/kinds");
     if (options.json) return void(std::cout << json_text(kinds, 2) << '\n');
-    std::vector<Row> rows{{"KIND", "LAYER", "MEMBERS", "WHAT GOES WRONG"}};
+    std::vector<Row> rows{{"KIND", "LAYER", "MEMBERS", "EFFECT"}};
     for (const Json& kind : kinds) {
         if (options.names) std::cout << kind.at("kind").get<std::string>() << '\n';
         rows.push_back(
@@ -205,27 +199,27 @@ void add_sensor(CLI::App& command, std::string& sensor) {
 }
 
 void add_start_command(CLI::App& fault, const ControlOptions& control) {
-    auto* const command = fault.add_subcommand("start", "have something go wrong; prints its id");
+    auto* const command = fault.add_subcommand("start", "start a fault; prints its id");
     const auto options = std::make_shared<StartOptions>();
     FaultWords& words = options->fault;
     add_sensor(*command, options->sensor);
-    command->add_option("KIND", words.kind, "what goes wrong; scipctl fault kinds lists it");
+    command->add_option("KIND", words.kind, "kind of fault; `scipctl fault kinds` lists them");
     command->add_option(
         "MEMBER", words.members,
-        "KEY=VALUE for what the kind wants to know; dots nest, and a value is YAML or JSON");
+        "KEY=VALUE, a parameter of the kind; dots nest, and a value is YAML or JSON");
     command->add_option("--at", words.at,
-                        "when it begins: scan=N or time_s=T (that scan or time), scans=N or s=T "
-                        "(so long after now), request=MD:NTH (with that request); default: now");
-    command->add_option("--for", words.how_long,
-                        "how long it lasts: scans=N or s=T; default: until it is stopped, or what "
-                        "is over at once is over");
+                        "start: scan=N or time_s=T (at that scan or time), scans=N or s=T (from "
+                        "now), request=MD:NTH (with that request); default: now");
+    command->add_option(
+        "--for", words.how_long,
+        "duration: scans=N or s=T; default: until it is stopped, unless the kind ends by itself");
     command->add_option("--until", words.until,
-                        "the command that ends it, such as RB; RB: until the scanner boots");
-    command->add_option("--every", words.every, "it begins again and again: s=T or scans=N apart");
+                        "ends when this command arrives (RB: when the scanner has rebooted)");
+    command->add_option("--every", words.every, "period of repetition: s=T or scans=N");
     command->add_option("--jitter", words.jitter,
-                        "with --every: by how much earlier or later, s=T or scans=N");
-    command->add_option("--seed", words.seed, "of its chance, a whole number");
-    command->add_option("--json", options->json, "all of the fault, as a JSON object");
+                        "with --every: largest random shift of a repetition, s=T or scans=N");
+    command->add_option("--seed", words.seed, "seed of the fault's random numbers")->type_name("N");
+    command->add_option("--json", options->json, "the whole fault as a JSON object");
     command->callback([&control, options] {
         leave_sensor_out(*options);
         start(control, *options);
@@ -241,10 +235,10 @@ void add_start_command(CLI::App& fault, const ControlOptions& control) {
 }
 
 void add_stop_command(CLI::App& fault, const ControlOptions& control) {
-    auto* const command = fault.add_subcommand("stop", "end one fault of a scanner, or all");
+    auto* const command = fault.add_subcommand("stop", "stop one fault of a scanner, or all");
     const auto options = std::make_shared<StopOptions>();
     add_sensor(*command, options->sensor);
-    command->add_option("ID", options->id, "the fault, as start and list tell it, or all")
+    command->add_option("ID", options->id, "id of the fault, as printed by start and list, or all")
         ->capture_default_str();
     command->callback([&control, options] {
         leave_sensor_out(*options);
@@ -254,7 +248,7 @@ void add_stop_command(CLI::App& fault, const ControlOptions& control) {
 
 void add_list_command(CLI::App& fault, const ControlOptions& control) {
     auto* const command =
-        fault.add_subcommand("list", "list the faults that wait, act or have lately ended");
+        fault.add_subcommand("list", "list the pending, active and recently ended faults");
     const auto options = std::make_shared<ListOptions>();
     command->add_option("SENSOR", options->sensor,
                         "the scanner, as ROBOT/SENSOR; without it, all of them");
@@ -263,7 +257,7 @@ void add_list_command(CLI::App& fault, const ControlOptions& control) {
 }
 
 void add_kinds_command(CLI::App& fault, const ControlOptions& control) {
-    auto* const command = fault.add_subcommand("kinds", "list what can go wrong");
+    auto* const command = fault.add_subcommand("kinds", "list the kinds of faults");
     const auto options = std::make_shared<KindsOptions>();
     command->add_flag("--names", options->names, "the names alone, one a line");
     command->add_flag("--json", options->json, "as a JSON document");
@@ -271,12 +265,12 @@ void add_kinds_command(CLI::App& fault, const ControlOptions& control) {
 }
 
 void add_log_command(CLI::App& fault, const ControlOptions& control) {
-    auto* const command = fault.add_subcommand("log", "tell what went wrong on purpose, and when");
+    auto* const command = fault.add_subcommand("log", "show the log of injected faults");
     const auto options = std::make_shared<LogOptions>();
     add_sensor(*command, options->sensor);
     command->add_option("--since", options->since, "only entries after the one of this number");
-    command->add_option("--count", options->count, "end after so many entries");
-    command->add_flag("--follow", options->follow, "go on telling until interrupted");
+    command->add_option("--count", options->count, "exit after N entries");
+    command->add_flag("--follow", options->follow, "keep printing new entries until interrupted");
     command->add_flag("--json", options->json, "each entry as a JSON object on a line of its own");
     command->callback([&control, options] { show_log(control, *options); });
 }
@@ -284,8 +278,7 @@ void add_log_command(CLI::App& fault, const ControlOptions& control) {
 }  // namespace
 
 void add_fault_commands(CLI::App& program, const ControlOptions& control) {
-    auto* const fault =
-        program.add_subcommand("fault", "have something go wrong at a scanner on purpose");
+    auto* const fault = program.add_subcommand("fault", "inject a fault into a scanner");
     fault->require_subcommand(1);
     add_start_command(*fault, control);
     add_stop_command(*fault, control);

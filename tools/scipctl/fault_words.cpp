@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "tools/member_text.h"
-#include "tools/scipctl/sensor_question.h"
+#include "tools/scipctl/names.h"
 
 namespace scipd::tools {
 namespace {

@@ -181,7 +181,7 @@ void forget(const ControlOptions& control, const FleetOptions& options) {
     const auto& daemons = session.kept().daemons;
     const auto known = daemons.find(options.name);
     if (known == daemons.end())
-        throw ControlError(0, "nobody knows a daemon \"" + options.name + "\"");
+        throw ControlError(0, "no daemon is named \"" + options.name + "\"");
     if (!known->second.lost) throw ControlError(0, options.name + " is serving; end it instead");
     session.publish(Topic::Kind::daemon, options.name, "");
     session.publish(Topic::Kind::places, options.name, "");
@@ -205,7 +205,7 @@ std::pair<CLI::App*, std::shared_ptr<FleetOptions>> add_command(CLI::App& fleet,
 
 void add_add_command(CLI::App& fleet, const ControlOptions& control) {
     const auto [command, options] =
-        add_command(fleet, control, "add", "add a model at all daemons", add);
+        add_command(fleet, control, "add", "add a model in all daemons", add);
     add_model_options(
         *command, *options,
         "an SDF or a URDF, whose text goes along, or - for one; or a mesh, which lies "
@@ -220,7 +220,7 @@ void add_add_command(CLI::App& fleet, const ControlOptions& control) {
 
 void add_fleet_commands(CLI::App& program, const ControlOptions& control) {
     auto* const fleet =
-        program.add_subcommand("fleet", "look at a world that daemons share, or change it");
+        program.add_subcommand("fleet", "show or change a world that daemons share");
     fleet->require_subcommand(1);
     const auto [status, status_options] = add_command(
         *fleet, control, "status", "list the daemons and what they changed", tell_status);
@@ -229,18 +229,18 @@ void add_fleet_commands(CLI::App& program, const ControlOptions& control) {
     add_add_command(*fleet, control);
 
     const auto [move_command, move_options] =
-        add_command(*fleet, control, "move", "put a robot or a movable model somewhere", move);
+        add_command(*fleet, control, "move", "set the pose of a robot or a movable model", move);
     move_command->add_option("NAME", move_options->name, "the robot or the model")->required();
     move_command
         ->add_option("POSE", move_options->pose, "X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
         ->required();
 
     const auto [remove_command, remove_options] =
-        add_command(*fleet, control, "remove", "take a model away at all daemons", remove);
+        add_command(*fleet, control, "remove", "remove a model from all daemons", remove);
     remove_command->add_option("MODEL", remove_options->name, "the name of the model")->required();
 
     const auto [forget_command, forget_options] =
-        add_command(*fleet, control, "forget", "take a daemon that is lost off the list", forget);
+        add_command(*fleet, control, "forget", "remove a lost daemon from the list", forget);
     forget_command->add_option("DAEMON", forget_options->name, "the name of the daemon")
         ->required();
 }

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include "daemon/config/run_directory.h"
-#include "tools/completion_command.h"
 #include "tools/options.h"
 #include "tools/scipctl/scipctl_commands.h"
 #include "tools/which_scipd.h"
@@ -46,7 +45,7 @@ scipd::daemon::MoreWords names_from_scipd() {
 int main(int argc, char** argv) {
     using namespace scipd::tools;
     ControlOptions control{.socket = scipd::daemon::run_directory() / "control.sock"};
-    CLI::App program("Speaks to a running scipd.", "scipctl");
+    CLI::App program("Controls a running scipd.", "scipctl");
     program.require_subcommand(1);
     program.fallthrough();
     const CLI::Option* const named =
@@ -78,6 +77,6 @@ int main(int argc, char** argv) {
         "  scipctl fault start robot/scanner stall --for s=2\n"
         "  scipctl truth robot/scanner\n"
         "  scipctl reading robot/camera\n"
-        "scipctl COMMAND --help tells more.");
+        "scipctl COMMAND --help shows the options of a command.");
     return run(program, argc, argv);
 }

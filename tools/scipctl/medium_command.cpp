@@ -34,15 +34,14 @@ struct NumberOption {
 };
 
 constexpr NumberOption number_options[] = {
-    {"--visibility", "visibility_m", 0.5, 1e5, "of fog and dust: how far people see, in m"},
-    {"--rate", "mm_per_hour", 0.0, 500.0,
-     "of rain and snow: how much water comes down, in mm an hour"},
+    {"--visibility", "visibility_m", 0.5, 1e5, "fog and dust: visibility in m"},
+    {"--rate", "mm_per_hour", 0.0, 500.0, "rain and snow: precipitation as water, in mm per hour"},
     {"--extinction", "extinction_per_m", 0.0, 100.0,
-     "of custom: light that goes R metres loses all but exp(-EXTINCTION R)"},
+     "custom: exp(-EXTINCTION R) of the light is left after R metres"},
     {"--returns", "returns_per_m", 0.0, 1000.0,
-     "of custom: how many drops a beam meets on a metre"},
+     "custom: number of drops that a beam meets per metre"},
     {"--brightness", "brightness", 0.0, 10.0,
-     "of custom: what a drop sends back, 1 for as much as a white wall"},
+     "custom: reflectivity of a drop, 1 for that of a white wall"},
 };
 
 /// The options that each kind has; it needs the first.
@@ -56,6 +55,7 @@ const std::map<std::string, std::vector<std::string>> flags_of{
 
 struct MediumOptions {
     std::string kind;  ///< empty: list them
+    std::string bare;  ///< number given without its option
     std::string name;
     std::map<std::string, double> numbers;  ///< of the options that were given, by flag
     std::vector<double> box_m;
@@ -167,10 +167,16 @@ void clear(ControlClient& client, const std::string& name) {
 
 void run_medium(const ControlOptions& control, const MediumOptions& options) {
     const bool makes_one = flags_of.contains(options.kind);
+    if (!options.bare.empty())
+        throw WrongInput("unexpected argument '" + options.bare + "'" +
+                         (makes_one
+                              ? "; did you mean " + options.kind + " " +
+                                    flags_of.at(options.kind).front() + " " + options.bare + "?"
+                              : ""));
     if (!makes_one && (!options.numbers.empty() || !options.box_m.empty()))
-        throw WrongInput("say what there is before its numbers, such as: fog --visibility 20");
+        throw WrongInput("name the medium before its options, such as: fog --visibility 20");
     if (options.kind.empty() && !options.name.empty())
-        throw WrongInput("say what there is, such as: fog --visibility 20 --name mist");
+        throw WrongInput("name the kind of medium, such as: fog --visibility 20 --name mist");
     ControlClient client(control.socket);
     if (makes_one) return set(client, medium_of(options));
     if (options.kind == "none") return clear(client, options.name);
@@ -181,14 +187,13 @@ void run_medium(const ControlOptions& control, const MediumOptions& options) {
 
 void add_medium_command(CLI::App& scene, const ControlOptions& control) {
     auto* const command =
-        scene.add_subcommand("medium",
-                             "list what fills the air, or fill it with rain, fog, snow "
-                             "or dust");
+        scene.add_subcommand("medium", "list the media in the air, or add rain, fog, snow or dust");
     const auto options = std::make_shared<MediumOptions>();
     command
         ->add_option("KIND", options->kind,
                      "fog, dust, rain, snow or custom; none clears the air; without it, a list")
         ->check(CLI::IsMember({"fog", "dust", "rain", "snow", "custom", "none"}));
+    command->add_option("NUMBER", options->bare)->group("");
     for (const auto& [flag, key, least, most, help] : number_options) {
         command
             ->add_option_function<double>(
@@ -204,8 +209,8 @@ void add_medium_command(CLI::App& scene, const ControlOptions& control) {
         ->expected(6)
         ->check(number_within(-1e7, 1e7));
     command->add_option("--name", options->name,
-                        "its name; a medium of this name gives way; default: the kind. With none: "
-                        "which to take away");
+                        "its name, which replaces a medium of the same name; default: the kind. "
+                        "With none: the medium to remove");
     command->add_flag("--json", options->json, "the list as a JSON document");
     command->callback([&control, options] { run_medium(control, *options); });
     command->footer(

@@ -80,7 +80,7 @@ sim::Expected<sim::PoseLine> line_for_many(const std::string& text, const std::s
         [&](sim::PoseLine line) -> sim::Expected<sim::PoseLine> {
             if (line.robot.empty() && line.model.empty()) line.robot = robot;
             if (line.robot.empty() && line.model.empty())
-                return sim::refuse("robot: say which, or name one by --robot");
+                return sim::refuse("robot is missing: name it in the line or with --robot");
             return line;
         });
 }

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "sim/loaders/poses/pose_line.h"
+#include "sim/text/text_number.h"
 #include "tools/control_client.h"
 #include "tools/scipctl/model_options.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/pose_text.h"
-#include "tools/scipctl/robots.h"
 #include "tools/scipctl/scipctl_commands.h"
 
 namespace scipd::tools {
@@ -39,15 +40,29 @@ void get_pose(const ControlOptions& control, const GetOptions& options) {
     std::cout << pose_text(line->pose) << '\n';
 }
 
+bool could_be_robot(const std::string& word) {
+    return !word.empty() && word.find(',') == word.npos && !sim::parse_number(word);
+}
+
 void set_pose(const ControlOptions& control, const SetOptions& options) {
-    const sim::Pose pose = pose_of(options.words.back());
+    if (options.words.size() > 2) {
+        std::string pose;
+        for (const std::string& word : options.words) {
+            if (sim::parse_number(word)) pose += (pose.empty() ? "" : ",") + word;
+        }
+        throw WrongInput("write the pose as one word: " + (pose.empty() ? "1,2,0" : pose));
+    }
     ControlClient client(control.socket);
+    const std::string& last = options.words.back();
+    if (options.words.size() == 1 && could_be_robot(last))
+        throw WrongInput("add the pose of " + choose_robot(client, last) + ", such as 1,2,0");
+    const sim::Pose pose = pose_of(last);
     const std::string wanted = options.words.size() == 2 ? options.words.front() : std::string();
     client.put(pose_path(choose_robot(client, wanted)), pose_body({.pose = pose}));
 }
 
 void add_get_command(CLI::App& pose, const ControlOptions& control) {
-    auto* const command = pose.add_subcommand("get", "tell where a robot is, as X,Y,Z,R,P,Y");
+    auto* const command = pose.add_subcommand("get", "print the pose of a robot as X,Y,Z,R,P,Y");
     const auto options = std::make_shared<GetOptions>();
     command->add_option("ROBOT", options->robot, "the robot; not needed if there is only one");
     command->add_flag("--json", options->json, "as a pose line");
@@ -55,12 +70,12 @@ void add_get_command(CLI::App& pose, const ControlOptions& control) {
 }
 
 void add_set_command(CLI::App& pose, const ControlOptions& control) {
-    auto* const command = pose.add_subcommand("set", "put a robot somewhere");
+    auto* const command = pose.add_subcommand("set", "set the pose of a robot");
     const auto options = std::make_shared<SetOptions>();
     command->add_option("POSE", options->words, "X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
         ->option_text("[ROBOT] POSE")
         ->required()
-        ->expected(1, 2);
+        ->expected(1, 7);  // to advise on 1 2 0
     command->callback([&control, options] { set_pose(control, *options); });
     command->footer(
         "Examples:\n"
@@ -71,7 +86,7 @@ void add_set_command(CLI::App& pose, const ControlOptions& control) {
 }  // namespace
 
 void add_pose_commands(CLI::App& program, const ControlOptions& control) {
-    auto* const pose = program.add_subcommand("pose", "ask where robots are, or move them");
+    auto* const pose = program.add_subcommand("pose", "show or set the poses of robots");
     pose->require_subcommand(1);
     add_get_command(*pose, control);
     add_set_command(*pose, control);

@@ -13,8 +13,8 @@
 #include "sim/loaders/poses/trajectory_file.h"
 #include "tools/control_client.h"
 #include "tools/options.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/pose_text.h"
-#include "tools/scipctl/robots.h"
 #include "tools/scipctl/scipctl_commands.h"
 
 namespace scipd::tools {

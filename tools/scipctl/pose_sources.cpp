@@ -16,6 +16,8 @@
 namespace scipd::tools {
 namespace {
 
+using Json = ControlClient::Json;
+
 /// A number with its unit, or a dash where there is none.
 std::string figure(const Json& source, const char* key, const char* format) {
     const Json& number = source.at(key);
@@ -64,9 +66,7 @@ void show_sources(const ControlOptions& control, bool json) {
 
 void add_pose_sources_command(CLI::App& pose, const ControlOptions& control) {
     auto* const command = pose.add_subcommand(
-        "sources",
-        "tell what comes from each source of poses, how often and how late, and which "
-        "names are not there");
+        "sources", "show what each source of poses delivers: rate, lateness and missing names");
     const auto json = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "as JSON");
     command->callback([&control, json] { show_sources(control, *json); });

@@ -11,9 +11,9 @@
 #include "sim/loaders/poses/pose_line.h"
 #include "tools/control_client.h"
 #include "tools/options.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/pose_broadcast.h"
 #include "tools/scipctl/pose_text.h"
-#include "tools/scipctl/robots.h"
 #include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/time_leader.h"
 
@@ -43,12 +43,13 @@ class PoseForwarder {
     std::string path_of(const sim::PoseLine& line) {
         if (!line.model.empty()) return "/scene/models/" + path_segment(line.model) + "/pose";
         if (!line.robot.empty()) return pose_path(line.robot);
-        robot_ = choose_robot(client_, robot_);
-        return pose_path(robot_);
+        if (path_.empty()) path_ = pose_path(choose_robot(client_, robot_));
+        return path_;
     }
 
     ControlClient& client_;
-    std::string robot_;
+    const std::string robot_;
+    std::string path_;  ///< of the lines that name no robot; empty before the first
 };
 
 void stream(const ControlOptions& control, const StreamOptions& options) {
@@ -77,17 +78,16 @@ void stream(const ControlOptions& control, const StreamOptions& options) {
 void add_pose_stream_command(CLI::App& pose, const ControlOptions& control) {
     auto* const command = pose.add_subcommand("stream", "send pose lines from standard input");
     const auto options = std::make_shared<StreamOptions>();
-    command->add_option("--robot", options->robot, "the robot of lines that name none");
+    command->add_option("--robot", options->robot, "robot of the lines that name none");
     add_broker_options(*command, options->broker,
-                       "send them to all daemons that share this world, by its broker");
-    auto* const lockstep = command->add_flag(
-        "--lockstep", options->lockstep,
-        "lead the time of those daemons that have clock: poses; it goes on when all have done a "
-        "step");
+                       "send them to all daemons that share this world, through its broker");
+    auto* const lockstep = command->add_flag("--lockstep", options->lockstep,
+                                             "drive the time of the daemons with clock: poses; the "
+                                             "next step waits until all have done the last");
     lockstep->needs("--to");
     command
         ->add_option("--patience", options->patience_s,
-                     "seconds after which a daemon that does no step is left out")
+                     "timeout in seconds; a daemon that has not done a step by then is left out")
         ->needs(lockstep)
         ->check(number_within(0.1, 3600.0))
         ->capture_default_str();

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "tools/control_client.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/scipctl_commands.h"
-#include "tools/scipctl/sensor_question.h"
 
 namespace scipd::tools {
 namespace {

@@ -13,8 +13,8 @@
 #include "sim/text/text_number.h"
 #include "tools/control_client.h"
 #include "tools/options.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/scipctl_commands.h"
-#include "tools/scipctl/sensor_question.h"
 
 namespace scipd::tools {
 namespace {
@@ -43,7 +43,7 @@ struct ReplayAsked {
 };
 
 [[noreturn]] void explain_usage(const std::string& wrong) {
-    throw WrongInput(wrong + "; say seek SECONDS, step [SCANS], pause, play or speed FACTOR");
+    throw WrongInput(wrong + "; use seek SECONDS, step [SCANS], pause, play or speed FACTOR");
 }
 
 Json value_of(const Verb& verb, const std::vector<std::string>& words) {
@@ -100,8 +100,8 @@ void answer(const ControlOptions& control, ReplayAsked& asked) {
 
 void add_replay_command(CLI::App& program, const ControlOptions& control) {
     const auto asked = std::make_shared<ReplayAsked>();
-    auto* const command = program.add_subcommand(
-        "replay", "tell how it stands with the recording that a scanner plays, or steer it");
+    auto* const command =
+        program.add_subcommand("replay", "show or control the playback of a scanner's recording");
     command->add_option("WORDS", asked->words,
                         "[ROBOT/SENSOR] [seek SECONDS | step [SCANS] | pause | play | speed "
                         "FACTOR]; the name is not needed if there is only one scanner");

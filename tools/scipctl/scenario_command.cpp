@@ -56,19 +56,21 @@ void show(const ControlOptions& control, bool json) {
 
 void add_scenario_command(CLI::App& program, const ControlOptions& control) {
     auto* const scenario =
-        program.add_subcommand("scenario", "have many things go wrong as a file says");
+        program.add_subcommand("scenario", "run a scenario of faults from a file");
     scenario->require_subcommand(1);
 
     auto* const run_command =
-        scenario->add_subcommand("run", "begin a scenario in the place of the one before");
+        scenario->add_subcommand("run", "start a scenario, replacing the running one");
     const auto file = std::make_shared<std::string>();
-    run_command->add_option("FILE", *file, "its file, YAML")->required()->check(CLI::ExistingFile);
+    run_command->add_option("FILE", *file, "scenario file, YAML")
+        ->required()
+        ->check(CLI::ExistingFile);
     run_command->callback([&control, file] { run_file(control, *file); });
 
-    auto* const stop_command = scenario->add_subcommand("stop", "end all that it has go wrong");
+    auto* const stop_command = scenario->add_subcommand("stop", "stop the scenario and its faults");
     stop_command->callback([&control] { ControlClient(control.socket).remove(scenario_path); });
 
-    auto* const status_command = scenario->add_subcommand("status", "tell how far it is");
+    auto* const status_command = scenario->add_subcommand("status", "show its progress");
     const auto json = std::make_shared<bool>(false);
     status_command->add_flag("--json", *json, "as a JSON document");
     status_command->callback([&control, json] { show(control, *json); });

@@ -12,6 +12,7 @@
 #include "tools/control_client.h"
 #include "tools/options.h"
 #include "tools/scipctl/model_options.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/table.h"
@@ -48,13 +49,6 @@ std::string text_of(const Json& pose) {
     const auto& xyz = pose.at("xyz");
     const auto& q = pose.at("q");
     return pose_text({{xyz[0], xyz[1], xyz[2]}, {q[3], q[0], q[1], q[2]}});
-}
-
-std::string joined(const Json& names) {
-    std::string text;
-    for (const auto& name : names)
-        text.append(text.empty() ? "" : ", ").append(name.get<std::string>());
-    return text.empty() ? "-" : text;
 }
 
 /// Prints scipd's answer after it has loaded something.
@@ -207,7 +201,7 @@ void add_add_command(CLI::App& scene, const ControlOptions& control) {
 }
 
 void add_move_command(CLI::App& scene, const ControlOptions& control) {
-    auto* const command = scene.add_subcommand("move", "put a movable model somewhere");
+    auto* const command = scene.add_subcommand("move", "set the pose of a movable model");
     const auto options = std::make_shared<MoveOptions>();
     command->add_option("MODEL", options->name, "the name of the model")->required();
     command->add_option("POSE", options->pose, "X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
@@ -218,13 +212,12 @@ void add_move_command(CLI::App& scene, const ControlOptions& control) {
 }  // namespace
 
 void add_scene_commands(CLI::App& program, const ControlOptions& control) {
-    auto* const scene = program.add_subcommand("scene", "look at the world, or change it");
+    auto* const scene = program.add_subcommand("scene", "show or change the world");
     scene->require_subcommand(1);
 
     add_list_command(*scene, control);
 
-    auto* const load_command =
-        scene->add_subcommand("load", "load another world in the place of this one");
+    auto* const load_command = scene->add_subcommand("load", "replace the world with another one");
     const auto options = std::make_shared<LoadOptions>();
     load_command->add_option("FILE", options->file, "a world, or the folder of a model")
         ->required()
@@ -235,7 +228,7 @@ void add_scene_commands(CLI::App& program, const ControlOptions& control) {
     add_add_command(*scene, control);
     add_move_command(*scene, control);
 
-    auto* const remove_command = scene->add_subcommand("remove", "take a model away");
+    auto* const remove_command = scene->add_subcommand("remove", "remove a model");
     const auto model = std::make_shared<std::string>();
     remove_command->add_option("MODEL", *model, "the name of the model")->required();
     remove_command->callback([&control, model] { remove(control, *model); });

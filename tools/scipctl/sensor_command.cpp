@@ -9,8 +9,8 @@
 #include "tools/control_client.h"
 #include "tools/member_text.h"
 #include "tools/options.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/scipctl_commands.h"
-#include "tools/scipctl/sensor_question.h"
 
 namespace scipd::tools {
 namespace {
@@ -31,7 +31,8 @@ void leave_sensor_out(SetOptions& options) {
 }
 
 void set(const ControlOptions& control, const SetOptions& options) {
-    if (options.members.empty()) throw WrongInput("say what to set: accuracy=ideal or noise=2");
+    if (options.members.empty())
+        throw WrongInput("name what to set, such as accuracy=ideal or noise=2");
     Json errors = Json::object();
     for (const std::string& member : options.members)
         add_member(errors, member, "accuracy=ideal or noise=2");
@@ -60,13 +61,13 @@ void remove_sensor(const ControlOptions& control, const std::string& sensor) {
 
 void add_sensor_add(CLI::App& sensor, const ControlOptions& control) {
     auto* const command =
-        sensor.add_subcommand("add", "add one, on a robot that is there or on a new one");
+        sensor.add_subcommand("add", "add a sensor to an existing or a new robot");
     const auto options = std::make_shared<SetOptions>();
     command->add_option("SENSOR", options->sensor, "its name, as ROBOT/SENSOR")->required();
     command
         ->add_option("KEY=VALUE", options->members,
                      "the keys of a sensor in a configuration: model, tcp, pty, mount, accuracy "
-                     "and more; and pose, where a new robot stands")
+                     "and more; and pose, that of a new robot")
         ->required();
     command->callback([&control, options] { add_sensor(control, *options); });
     command->footer(
@@ -77,7 +78,7 @@ void add_sensor_add(CLI::App& sensor, const ControlOptions& control) {
 
 void add_sensor_remove(CLI::App& sensor, const ControlOptions& control) {
     auto* const command =
-        sensor.add_subcommand("remove", "take one away; its robot goes with its last one");
+        sensor.add_subcommand("remove", "remove a sensor; a robot is removed with its last one");
     const auto name = std::make_shared<std::string>();
     command->add_option("SENSOR", *name, "its name, as ROBOT/SENSOR")->required();
     command->callback([&control, name] { remove_sensor(control, *name); });
@@ -85,7 +86,7 @@ void add_sensor_remove(CLI::App& sensor, const ControlOptions& control) {
 
 void add_sensor_set(CLI::App& sensor, const ControlOptions& control) {
     auto* const command = sensor.add_subcommand(
-        "set", "change accuracy, noise, bias or interference while its clients go on");
+        "set", "change accuracy, noise, bias or interference while its clients stay connected");
     const auto options = std::make_shared<SetOptions>();
     command->add_option("SENSOR", options->sensor,
                         "the scanner, as ROBOT/SENSOR; not needed if there is only one");
@@ -105,8 +106,8 @@ void add_sensor_set(CLI::App& sensor, const ControlOptions& control) {
 }  // namespace
 
 void add_sensor_command(CLI::App& program, const ControlOptions& control) {
-    auto* const sensor =
-        program.add_subcommand("sensor", "add or remove one, or change how well it reads");
+    auto* const sensor = program.add_subcommand(
+        "sensor", "add or remove a sensor, or change its accuracy and noise");
     sensor->require_subcommand(1);
     add_sensor_set(*sensor, control);
     add_sensor_add(*sensor, control);

@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim/text/quote.h"
 #include "tools/control_client.h"
-#include "tools/scipctl/robots.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/table.h"
 
@@ -39,10 +40,7 @@ std::string faults(const Json& sensor) {
     std::set<std::string> kinds;
     for (const Json& kind : sensor.value("faults", Json::array()))
         kinds.insert(kind.get<std::string>());
-    std::string all;
-    for (const std::string& kind : kinds)
-        all += (all.empty() ? "" : ", ") + kind;
-    return all.empty() ? "-" : all;
+    return kinds.empty() ? "-" : sim::listed(kinds);
 }
 
 void print_sensors(const Json& sensors) {
@@ -122,7 +120,7 @@ std::pair<CLI::App*, std::shared_ptr<ShownOptions>> add_command(CLI::App& progra
 }  // namespace
 
 void add_status_commands(CLI::App& program, const ControlOptions& control) {
-    add_command(program, control, "status", "tell how scipd and its sensors are doing",
+    add_command(program, control, "status", "show the state of scipd and its sensors",
                 print_status);
     const auto [sensors, options] =
         add_command(program, control, "sensors", "list the sensors", print_sensors);

@@ -103,9 +103,9 @@ void show_top(const ControlOptions& control, const TopOptions& options) {
 
 void add_top_command(CLI::App& program, const ControlOptions& control) {
     auto* const command =
-        program.add_subcommand("top", "show live how the sensors are doing, until q is pressed");
+        program.add_subcommand("top", "show the state of the sensors live, until q is pressed");
     const auto options = std::make_shared<TopOptions>();
-    command->add_flag("--once", options->once, "show one table, of one second, and end");
+    command->add_flag("--once", options->once, "show one table, of one second, then exit");
     command->add_flag("--json", options->json, "a JSON document each second, on a line");
     command->callback([&control, options] { show_top(control, *options); });
 }

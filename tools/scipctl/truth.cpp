@@ -10,8 +10,8 @@
 
 #include "tools/control_client.h"
 #include "tools/options.h"
+#include "tools/scipctl/names.h"
 #include "tools/scipctl/scipctl_commands.h"
-#include "tools/scipctl/sensor_question.h"
 #include "tools/scipctl/table.h"
 
 namespace scipd::tools {
@@ -117,7 +117,7 @@ void show(const ControlOptions& control, const TruthOptions& options) {
 
 void add_truth_command(CLI::App& program, const ControlOptions& control) {
     auto* const command = program.add_subcommand(
-        "truth", "show stage by stage what a scanner's beams met, what came back and what it sent");
+        "truth", "show, for each beam, the ground truth and each stage up to the value sent");
     const auto options = std::make_shared<TruthOptions>();
     command->add_option("SENSOR", options->sensor,
                         "the sensor, as ROBOT/SENSOR; not needed if there is only one scanner");

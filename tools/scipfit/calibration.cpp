@@ -71,14 +71,14 @@ void tell_of_line(const char* parameter, bool is_known, bool is_line, const Inte
         result.unknown.push_back(
             {parameter,
              "the bias is no line over the range: which line is nearest hangs on where walls are",
-             "the bias itself, which is told range by range"});
+             "the bias itself, which is estimated range by range"});
     else
         result.unknown.push_back(otherwise);
 }
 
 void tell_line(const PlaceKnowledge& known, Calibration& result) {
     tell_of_line("offset", known.offset, known.is_line, known.offset_mm,
-                 {"offset", "where the scanner stands and what it reads too far look the same here",
+                 {"offset", "the scanner's pose and its range bias cannot be separated here",
                   what_tells_the_offset},
                  result, result.offset_mm);
     if (result.by_world)
@@ -110,7 +110,8 @@ void tell_places(const PlaceKnowledge& known, Calibration& result) {
     for (std::size_t i = 0; i < known.places.size(); ++i)
         result.places.push_back(known.places[i] ? std::optional(known.at[i]) : std::nullopt);
     if (std::ranges::find(known.places, false) != known.places.end())
-        result.unknown.push_back({"pose", "what is in sight does not tell where the scanner stands",
+        result.unknown.push_back({"pose",
+                                  "the visible surfaces do not determine the scanner's pose",
                                   "two walls that are not parallel"});
 }
 

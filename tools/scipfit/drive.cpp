@@ -95,8 +95,8 @@ Drive read_drive(const std::filesystem::path& file, const std::string& stream) {
     if (scans.empty())
         throw WrongInput(file.string() +
                          ": does not say where the scanner was; a map needs a drive with the "
-                         "laser's poses, such as a log of CARMEN. For a room around a scanner "
-                         "that stands still: -o room.sdf");
+                         "laser's poses, such as a log of CARMEN. For a room around a stationary "
+                         "scanner: -o room.sdf");
     const double most_m = std::min(told_m.value_or(end_of_ranges_m(scans)), farthest_m);
     for (const sim::RecordedScan& scan : scans)
         drive.scans.push_back(scan_of(scan, most_m));

@@ -54,7 +54,7 @@ DriveMap map_of(const Drive& drive, double cell_m) {
     DriveMap as_refined = map_on(drive, refined);
     if (as_refined.explained == 0)
         throw WrongInput(
-            "no two beams of this drive end at one place, so there is no map to make; are its "
+            "no two beams of this drive end at one place, so no map can be created; are its "
             "poses in metres and radians, and its ranges in metres?");
     if (static_cast<double>(as_recorded.explained) >=
         nearly * static_cast<double>(as_refined.explained))

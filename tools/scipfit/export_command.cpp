@@ -47,15 +47,15 @@ sim::SensorSpec optics_in(const std::filesystem::path& file) {
 
 void add_export_command(CLI::App& program) {
     auto* const command =
-        program.add_subcommand("export", "tell the noise of a profile to other programs");
+        program.add_subcommand("export", "export the noise model for AMCL, gz, MVSim or Stage");
     const auto options = std::make_shared<ExportOptions>();
-    command->add_option("PROFILE", options->profile, "what scipfit -o wrote")
+    command->add_option("PROFILE", options->profile, "profile written by scipfit -o")
         ->required()
         ->type_name("FILE.yaml");
     std::vector<std::string> names;
     for (const auto& [name, write] : programs())
         names.push_back(name);
-    command->add_option("--for", options->program, "whose words")
+    command->add_option("--for", options->program, "program to export for")
         ->required()
         ->check(CLI::IsMember(names));
     command->callback(

@@ -18,19 +18,19 @@ std::optional<SmoothingFit> smoothing_of(const Standing& standing, const Lattice
                                          bool whole_mm, Unknowns& unknown) {
     const std::size_t scans = standing.stations.empty() ? 0 : standing.stations[0].scans();
     const auto leave = [&](const std::string& why) {
-        unknown.push_back({"neighbours", why, "50 scans or more that stand still before walls"});
+        unknown.push_back({"neighbours", why, "50 or more static scans of walls"});
         return std::nullopt;
     };
     if (scans < least_scans_for_pairs)
-        return leave("the scanner stands for " + std::to_string(scans) + " scans");
+        return leave("the scanner is stationary for " + std::to_string(scans) + " scans");
     const double place_mm = std::max(lattice.spacing_mm, whole_mm ? 1.0 : 0.0);
     SmoothingFit fit =
         fit_smoothing(standing.stations, standing.sums, lattice.rounding_mm2(whole_mm), place_mm);
     if (fit.pairs < least_pairs)
-        return leave(std::to_string(fit.pairs) + " pairs of beams see one face that stands still");
+        return leave(std::to_string(fit.pairs) + " pairs of beams see one static surface");
     if (scans < least_scans_for_after)
         unknown.push_back({"scans", "what scans share with the next one takes 80 scans to be seen",
-                           "a longer recording that stands still"});
+                           "a longer recording of a stationary scanner"});
     return fit;
 }
 
@@ -74,11 +74,11 @@ void tell_what_is_missing(const Readings& readings, Fit& fit) {
     if (!fit.lattice.known)
         unknown.push_back({"lattice",
                            "too few distances lie close together, or they are not evenly apart",
-                           "more scans that stand still"});
+                           "more static scans"});
     if (!fit.mixed)
         unknown.push_back({"mixed_beams", "fewer than eight edges are 0.15 to 1 m deep",
-                           "boxes that stand before walls"});
-    if (!fit.drift) unknown.push_back({"drift", "too few beams stand still", "a longer recording"});
+                           "boxes in front of walls"});
+    if (!fit.drift) unknown.push_back({"drift", "too few beams are static", "a longer recording"});
     tell_what_one_place_cannot(fit, unknown);
 }
 

@@ -86,12 +86,12 @@ void check(const FitOptions& options) {
     if (options.files.empty()) throw WrongInput("name a recording");
     if (options.poses.empty() != options.world.empty())
         throw WrongInput(options.world.empty()
-                             ? "--pose: name the world too in which the scanner stands: --world"
-                             : "--world: say where the scanner stands in it: --pose X,Y,YAW");
+                             ? "--pose needs the world that it refers to: --world"
+                             : "--world needs the scanner's pose in it: --pose X,Y,YAW");
     if (!options.world.empty() && !options.lengths.empty())
-        throw WrongInput("--length: a world tells all lengths; leave out --length or --world");
+        throw WrongInput("--length: a world has all lengths; leave out --length or --world");
     if (!options.world.empty() && !options.room.empty())
-        throw WrongInput("--room: the profile stands in --world; leave out one of them");
+        throw WrongInput("--room: the profile is placed in --world; leave out one of them");
 }
 
 /// By station: one for each, or one for each recording, in the order of time.
@@ -161,47 +161,47 @@ void fit(const FitOptions& options) {
 
 void add_fit_options(CLI::App& program) {
     const auto options = std::make_shared<FitOptions>();
-    program.add_option("RECORDING", options->files,
-                       "recordings of one scanner that stands still, in any format that scipcat "
-                       "info knows");
+    program.add_option(
+        "RECORDING", options->files,
+        "recordings of one stationary scanner, in any format that scipcat info knows");
     program
         .add_option("-o,--output", options->output,
-                    "the profile: a configuration for scipd, with what each value is from")
+                    "the profile: a configuration for scipd, with the origin of each value")
         ->type_name("FILE.yaml")
         ->check(can_be_written);
     program
-        .add_option("--room", options->room,
-                    "also make the room, and have the profile stand in it: a twin of the scanner "
-                    "where it stood")
+        .add_option(
+            "--room", options->room,
+            "also write the room, with the scanner of the profile in it: a twin at its place")
         ->type_name("FILE.sdf")
         ->check(can_be_written);
     program
         .add_option("--report", options->report,
-                    "a page with pictures: the noise beside the twin's, how good the law is, and "
-                    "what is not known")
+                    "an HTML report: the noise beside the twin's, the quality of the noise model, "
+                    "and what is not identifiable")
         ->type_name("FILE.html")
         ->check(can_be_written);
     program.add_option("--stream", options->stream,
-                       "which scanner, of recordings of several; default: the first");
+                       "scanner to use, of recordings of several; default: the first");
     program
         .add_option("--model", options->model,
-                    "what the scanner is; default: what the recording says, or the nearest model")
+                    "model of the scanner; default: that of the recording, or the nearest")
         ->type_name("MODEL");
     program
         .add_option("--length", options->lengths,
-                    "a length that was measured between what two steps see, such as 180:900=3.2m; "
-                    "it may be given several times")
+                    "measured length between what two steps see, such as 180:900=3.2m; may be "
+                    "given more than once")
         ->type_name("STEP:STEP=METRES");
     program
-        .add_option("--world", options->world,
-                    "the world that the scanner sees, as scipd --scene has it; it tells what the "
-                    "scanner reads too far")
+        .add_option(
+            "--world", options->world,
+            "reference world, in a format of scipd --scene; enables estimation of range bias")
         ->type_name("FILE")
         ->check(CLI::ExistingPath);
     program
         .add_option("--pose", options->poses,
-                    "where the scanner stands in that world, measured to about 10 mm and one "
-                    "degree; one for each recording or station, in the order of time")
+                    "pose of the scanner in that world, known to about 10 mm and one degree; one "
+                    "for each recording or viewpoint, in the order of time")
         ->type_name("X,Y,YAW");
     program.add_flag("--json", options->json, "as a JSON document");
     program.callback([options, &program] {

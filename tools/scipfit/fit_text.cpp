@@ -82,22 +82,23 @@ void show_held_out(const HeldOut& held_out, std::ostream& out) {
 }
 
 void show_calibration(const Calibration& found, std::ostream& out) {
-    if (found.but_for_slope) line(out, "", "but for a slope over the range, which is not known");
+    if (found.but_for_slope)
+        line(out, "", "except a slope over the range, which is not identifiable");
     if (found.offset_mm) line(out, "offset", shown(*found.offset_mm, "%.1f") + " mm at range 0");
     if (found.scale_mm_per_m)
         line(out, "scale", shown(*found.scale_mm_per_m, "%.2f") + " mm per m");
     for (std::size_t i = 0; i < found.places.size(); ++i) {
         if (!found.places[i]) continue;
         const PlaceAt& at = *found.places[i];
-        line(out, i == 0 ? "stood at" : "",
+        line(out, i == 0 ? "pose" : "",
              formatted("%.4f, %.4f, %.5f, within %.1f mm and %.1f mrad", at.x_mm.value / 1000,
                        at.y_mm.value / 1000, at.yaw_rad.value,
                        0.5 * std::max(at.x_mm.high - at.x_mm.low, at.y_mm.high - at.y_mm.low),
                        500.0 * (at.yaw_rad.high - at.yaw_rad.low)));
     }
-    line(out, "faces",
-         formatted("%zu beams at %zu stations, %.1f mm around what they would read", found.beams,
-                   found.stations, found.spread_mm));
+    line(out, "surfaces",
+         formatted("%zu beams at %zu viewpoints, residual %.1f mm", found.beams, found.stations,
+                   found.spread_mm));
 }
 
 void show_face_light(const FaceLight& light, std::ostream& out) {
@@ -118,13 +119,13 @@ void show_face_light(const FaceLight& light, std::ostream& out) {
 void show(const Fit& fit, std::ostream& out) {
     out << sim::printable(fit.files) << ": " << fit.kind.model->profile.name << ", "
         << sim::printable(fit.kind.from) << '\n';
-    line(out, "stands",
-         formatted("%zu of %zu scans, %zu beams before walls, %zu doubles left out", fit.scans,
+    line(out, "static",
+         formatted("%zu of %zu scans; %zu beams see walls; %zu duplicates dropped", fit.scans,
                    fit.all_scans, fit.beams, fit.doubles));
     if (fit.noise) show_noise(*fit.noise, out);
     if (fit.smoothing) show_smoothing(*fit.smoothing, out);
     if (fit.lattice.spacing_mm > 0.0)
-        line(out, "lattice", formatted("%.4g mm", fit.lattice.spacing_mm));
+        line(out, "quantization", formatted("%.4g mm", fit.lattice.spacing_mm));
     show_codes(fit.codes, out);
     if (fit.lost.readings > 0.0)
         line(out, "lost",
@@ -144,9 +145,9 @@ void show(const Fit& fit, std::ostream& out) {
     if (fit.calibration) show_calibration(*fit.calibration, out);
     if (fit.face_light) show_face_light(*fit.face_light, out);
     if (fit.held_out) show_held_out(*fit.held_out, out);
-    out << "not known:\n";
+    out << "not identifiable from this recording:\n";
     for (const Unknown& one : fit.unknown)
-        line(out, one.parameter.c_str(), one.why + "; would tell: " + one.would_tell);
+        line(out, one.parameter.c_str(), one.why + ". To find out: " + one.would_tell);
 }
 
 }  // namespace scipd::tools

@@ -28,7 +28,7 @@ const Beam& beam_at(int step, const Readings& readings, const std::vector<Statio
         stations.empty() ? nullptr : &stations[0].beams[static_cast<std::size_t>(index)];
     if (beam == nullptr || !beam->still)
         throw WrongInput("--length: step " + std::to_string(step) +
-                         " sees nothing that stands still; name another");
+                         " sees nothing static; name another");
     return *beam;
 }
 

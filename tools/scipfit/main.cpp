@@ -4,13 +4,11 @@
 // scipfit: makes of a recording the scanner that made it.
 #include <CLI/CLI.hpp>
 
-#include "tools/completion_command.h"
 #include "tools/options.h"
 #include "tools/scipfit/scipfit_commands.h"
 
 int main(int argc, char** argv) {
-    CLI::App program("Makes of recordings the scanner that made them: a model for scipd.",
-                     "scipfit");
+    CLI::App program("Fits a scanner model for scipd to recordings of a real scanner.", "scipfit");
     program.footer(
         "Examples:\n"
         "  scipcat record tcp://192.168.0.10:10940 --intensity -n 400 -o desk.mcap\n"

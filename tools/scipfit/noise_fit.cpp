@@ -117,8 +117,8 @@ bool light_tells(const std::vector<LawSample>& samples, const NoiseModel& start,
     }
     const LawFit law = fit_law(samples, start, true);
     if (goes_by_range(law, samples, start, beam_rad)) {
-        unknown.push_back({"i0", "the noise goes by the range, whatever the intensity",
-                           "a scanner whose noise goes by the light that comes back"});
+        unknown.push_back({"i0", "the noise depends on the range, not on the intensity",
+                           "a scanner whose noise depends on the received light"});
         return false;
     }
     if (is_sure(law)) return true;
@@ -139,20 +139,21 @@ std::optional<Unknown> why_no_noise(const Standing& standing, const std::vector<
                        "a recording of a standing scanner, 10 s or more"};
     if (standing.stations[0].scans() < least_scans)
         return Unknown{"sigma",
-                       "the scanner stands for " + std::to_string(standing.stations[0].scans()) +
+                       "the scanner is stationary for " +
+                           std::to_string(standing.stations[0].scans()) +
                            " scans, and 50 are needed",
                        "a recording of a standing scanner, 50 scans or more"};
     if (samples.size() < least_beams)
         return Unknown{"sigma",
                        std::to_string(samples.size()) + " beams see a smooth face that stands " +
                            "still, and " + std::to_string(least_beams) + " are needed",
-                       "walls in sight, and nobody who moves before them"};
+                       "visible walls, with nothing moving in front of them"};
     auto variances = samples;
     std::ranges::nth_element(variances, variances.begin() + variances.size() / 2, {},
                              &LawSample::variance_mm2);
     if (variances[variances.size() / 2].variance_mm2 < 2.0 * rounding_mm2)
-        return Unknown{"sigma", "the noise is smaller than the steps in which distances are told",
-                       "a scanner that tells finer steps"};
+        return Unknown{"sigma", "the noise is smaller than the quantization of the distances",
+                       "a scanner with finer quantization"};
     return std::nullopt;
 }
 

@@ -50,7 +50,7 @@ class Writer {
     }
 
     void write_noise() {
-        if (!fit_.noise) return line("# noise_law", "model: the recording does not tell");
+        if (!fit_.noise) return line("# noise_law", "model: not in the recording");
         const NoiseFit& noise = *fit_.noise;
         if (noise.model.by_intensity) {
             const std::string from =
@@ -72,7 +72,7 @@ class Writer {
     }
 
     void write_smoothing() {
-        if (!fit_.smoothing) return line("# smoothing", "model: the recording does not tell");
+        if (!fit_.smoothing) return line("# smoothing", "model: not in the recording");
         const SmoothingFit& fit = *fit_.smoothing;
         const std::string from =
             measured(formatted("%zu pairs, correlations %.3f to %.3f and %.3f to %.3f, equal %.2f",
@@ -86,7 +86,7 @@ class Writer {
 
     void write_lattice() {
         const Lattice& lattice = fit_.lattice;
-        if (!lattice.known) return line("# lattice_m", "model: the recording does not tell");
+        if (!lattice.known) return line("# lattice_m", "model: not in the recording");
         line(formatted("lattice_m: %.6g", lattice.spacing_mm / 1000),
              measured(formatted("%zu of %zu mm never occur", lattice.missing, lattice.cells)));
     }
@@ -180,7 +180,7 @@ class Writer {
     }
 
     void write_bias() {
-        if (fit_.bias.empty()) return line("# bias", "unknown: nothing tells the true ranges");
+        if (fit_.bias.empty()) return line("# bias", "unknown: no reference for the true ranges");
         out_ << "    bias:\n";
         for (const BiasAt& one : fit_.bias)
             line(formatted("  - {range_m: %.3f, bias_m: %.5f}", one.range_mm / 1000,
@@ -205,7 +205,7 @@ void write_pose(const FlatPose& place, std::ostream& out) {
 
 void write_profile(const Fit& fit, const Surroundings& surroundings, std::ostream& out) {
     out << "# Made by scipfit from " << sim::printable(fit.files) << ": " << fit.scans
-        << " scans that stand still, of " << fit.all_scans << ".\n"
+        << " static scans of " << fit.all_scans << ".\n"
         << "# Run it: scipd --config FILE. Or copy `models` into a configuration of your own.\n";
     for (const Unknown& one : fit.unknown)
         out << "# unknown: " << one.parameter << ": " << one.why

@@ -95,8 +95,7 @@ std::string held_out_part(const ReportView& view, const HeldOut& held_out) {
 
 std::string unknown_part(const Unknowns& unknown) {
     std::string text =
-        "<h2>What is not known</h2>\n<table>\n<tr><th></th><th>why</th><th>what would "
-        "tell</th></tr>\n";
+        "<h2>Not identifiable</h2>\n<table>\n<tr><th></th><th>why</th><th>to find out</th></tr>\n";
     for (const Unknown& one : unknown)
         text += row(in_markup(one.parameter), in_markup(one.why), in_markup(one.would_tell));
     return text + "</table>\n";
@@ -113,10 +112,9 @@ std::string figures(const Fit& fit) {
 std::string as_html(const Standing& standing, const Fit& fit, const std::optional<Room>& room) {
     const ReportView view = view_of(standing, fit);
     std::string text = html_head(fit.files + ": the twin", style);
-    text +=
-        "<h1>The twin of a " + in_markup(fit.kind.model->profile.name) + "</h1>\n<p><small>" +
-        in_markup(fit.files) +
-        formatted(": %zu scans that stand still, of %zu</small></p>\n", fit.scans, fit.all_scans);
+    text += "<h1>The twin of a " + in_markup(fit.kind.model->profile.name) + "</h1>\n<p><small>" +
+            in_markup(fit.files) +
+            formatted(": %zu static scans of %zu</small></p>\n", fit.scans, fit.all_scans);
     text += rooms(standing, room) + noises(view, fit);
     text += section("Where there is no distance: which code", "", code_chart(fit.codes));
     if (fit.held_out) text += held_out_part(view, *fit.held_out);

@@ -65,16 +65,16 @@ void make_room(const RoomOptions& options) {
 }  // namespace
 
 void add_room_command(CLI::App& program) {
-    auto* const command =
-        program.add_subcommand("room", "make a world of what a standing or driving scanner sees");
+    auto* const command = program.add_subcommand(
+        "room", "create a world from what a stationary or driving scanner sees");
     const auto options = std::make_shared<RoomOptions>();
     command
         ->add_option("RECORDING", options->file,
-                     "of a scanner that stands still; or for a map, of a drive with its poses")
+                     "of a stationary scanner; or for a map, of a drive with its poses")
         ->required();
     command
         ->add_option("-o,--output", options->output,
-                     "the walls around a scanner that stands, or a ROS map of a drive; the first "
+                     "the walls around a stationary scanner, or a ROS map of a drive; the first "
                      "scan is at the origin")
         ->required()
         ->type_name("FILE.sdf|FILE.yaml")
@@ -84,12 +84,12 @@ void add_room_command(CLI::App& program) {
                      "the side of a map's cell in m; default: 0.05")
         ->type_name("M");
     command->add_option("--stream", options->stream,
-                        "which scanner, of a recording of several; default: the first");
+                        "scanner to use, of a recording of several; default: the first");
     command
         ->add_option("--model", options->model,
-                     "what the scanner is; default: what the recording says")
+                     "model of the scanner; default: that of the recording")
         ->type_name("MODEL");
-    command->add_flag("--json", options->json, "tell how well it fits as a JSON document");
+    command->add_flag("--json", options->json, "print the quality of the fit as a JSON document");
     command->callback([options] {
         const auto ending = std::filesystem::path(options->output).extension();
         if (ending == ".yml" || ending == ".pgm")

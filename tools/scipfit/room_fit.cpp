@@ -12,8 +12,8 @@ Room room_of(const Standing& standing) {
     const Readings& readings = *standing.readings;
     if (standing.stations.empty())
         throw WrongInput(readings.files +
-                         ": the scanner moves all the time; record one that stands still, or make "
-                         "a map of a drive that has the laser's poses: -o room.yaml");
+                         ": the scanner moves all the time; record a stationary one, or create a "
+                         "map of a drive that has the laser's poses: -o room.yaml");
     const Station& station = *std::ranges::min_element(standing.stations, {}, &Station::first);
     Room room{.walls = walls_of(readings, station),
               .check = {},

@@ -22,10 +22,10 @@ std::string as_text(const Room& room) {
         "%zu walls explain %zu of %zu beams, %.1f mm around them (rms), 95 %% within %.1f mm\n",
         room.walls.size(), check.explained, check.beams, check.rms_mm, check.worst_of_95_mm);
     if (check.explained < check.beams)
-        text += formatted("%zu beams see what is no wall: it is left out\n",
-                          check.beams - check.explained);
+        text +=
+            formatted("%zu beams see no wall and are left out\n", check.beams - check.explained);
     if (room.stations > 1)
-        text += formatted("the first of %zu places is taken, where the recording begins to stand\n",
+        text += formatted("the scanner is stationary at %zu places; the first is used\n",
                           room.stations);
     return text;
 }

@@ -69,7 +69,7 @@ void SceneDraft::refuse(const std::string& why) {
 LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {
     if (more_ > 0) {
         warnings_.push_back(file_.string() + ": has " + std::to_string(more_) +
-                            " more warnings, which are not told");
+                            " more warnings, which are not shown");
     }
     if (scene_.objects.empty() && faults_.empty()) {
         warn(file_.string() + ": holds nothing that a scanner could see; give a model a " +

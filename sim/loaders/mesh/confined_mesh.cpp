@@ -15,6 +15,7 @@
 #include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mesh/mesh_reader.h"
 #include "sim/loaders/mesh/mesh_relief.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {
@@ -38,13 +39,6 @@ MeshPart take_part(std::FILE* in) {
     part.mesh.vertices_m = take_all<std::vector<glm::vec3>>(in);
     part.mesh.triangles = take_all<std::vector<glm::uvec3>>(in);
     return part;
-}
-
-std::string known_kinds() {
-    std::string text;
-    for (const auto extension : mesh_extensions)
-        text += (text.empty() ? "" : ", ") + std::string(extension);
-    return text;
 }
 
 /// Limits that a sound file of this size stays far below. A few damaged bytes on which the library
@@ -75,7 +69,8 @@ std::uintmax_t check_file(const fs::path& file) {
         throw std::runtime_error(plain.error().why + "; a mesh is wanted here");
     }
     if (!is_mesh_file(file)) {
-        throw std::runtime_error("is no kind of mesh that is known; name one of " + known_kinds());
+        throw std::runtime_error("is no kind of mesh that is known; name one of " +
+                                 listed(mesh_extensions));
     }
     std::error_code error;
     const auto size = fs::file_size(file, error);

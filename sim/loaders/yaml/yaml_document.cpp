@@ -9,8 +9,6 @@
 #include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
 
-#include "sim/text/quote.h"
-
 namespace scipd::sim {
 namespace {
 
@@ -51,6 +49,22 @@ void refuse_second_document(const std::string& text, YamlFaults& faults) {
     }
 }
 
+/// True if a tab is part of the indentation of this line, counted from 0.
+bool is_indented_by_tab(const std::string& text, int line) {
+    std::istringstream stream{text};
+    std::string found;
+    for (int i = 0; i <= line; ++i)
+        std::getline(stream, found);
+    return found.find('\t') < found.find_first_not_of(" \t");
+}
+
+std::string syntax_error(const std::string& text, const YAML::Exception& error) {
+    if (is_indented_by_tab(text, error.mark.line))
+        return "YAML does not allow tabs for indentation; use spaces";
+    const bool star = error.msg == YAML::ErrorMsg::ALIAS_NOT_FOUND;
+    return "not YAML: " + error.msg + (star ? R"(; a star by itself needs quotes: "*")" : "");
+}
+
 }  // namespace
 
 YAML::Node parse_yaml(const std::string& text, std::string_view what, YamlFaults& faults) {
@@ -61,17 +75,15 @@ YAML::Node parse_yaml(const std::string& text, std::string_view what, YamlFaults
     } catch (const YAML::DeepRecursion& error) {
         faults.add(error.mark.line + 1, {}, "nested too deeply to be " + std::string(what));
     } catch (const YAML::Exception& error) {
-        const bool star = error.msg == YAML::ErrorMsg::ALIAS_NOT_FOUND;
-        const std::string advice = star ? R"(; a star by itself needs quotes: "*")" : "";
-        faults.add(error.mark.line + 1, {}, "not YAML: " + error.msg + advice);
+        faults.add(error.mark.line + 1, {}, syntax_error(text, error));
     }
     faults.throw_if_any();
     return {};
 }
 
-std::vector<YamlField> entries(const YamlField& map, YamlFaults& faults) {
+std::vector<YamlField> entries(const YamlField& map, YamlFaults& faults, std::string_view advice) {
     if (!map.value.IsMap()) {
-        faults.add(map, "must be a map of keys and values");
+        faults.add(map, "must be a map of keys and values" + std::string(advice));
         return {};
     }
     if (map.value.size() > most_entries) {
@@ -107,13 +119,6 @@ std::optional<YamlField> entry_of(const YamlField& map, std::string_view key) {
                          entry.second};
     }
     return std::nullopt;
-}
-
-std::string listed(std::span<const std::string_view> words) {
-    std::string text;
-    for (const auto word : words)
-        text += (text.empty() ? "" : ", ") + std::string{word};
-    return text;
 }
 
 Expected<std::string> text_of(const YAML::Node& value) {

@@ -16,6 +16,7 @@
 
 #include "sim/expected.h"
 #include "sim/loaders/yaml/yaml_faults.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 
@@ -24,14 +25,13 @@ namespace scipd::sim {
 YAML::Node parse_yaml(const std::string& text, std::string_view what, YamlFaults& faults);
 
 /// The entries of a map, in the order of the file. A value that is no map is a fault, and so is a
-/// key that is no plain name or stands there twice.
-std::vector<YamlField> entries(const YamlField& map, YamlFaults& faults);
+/// key that is no plain name or stands there twice. `advice` ends the message about a value that is
+/// no map.
+std::vector<YamlField> entries(const YamlField& map, YamlFaults& faults,
+                               std::string_view advice = {});
 
 /// One entry of a map, whatever the others are; nothing where it is not there.
 std::optional<YamlField> entry_of(const YamlField& map, std::string_view key);
-
-/// The words with commas between them.
-std::string listed(std::span<const std::string_view> words);
 
 /// The text of a single value, which is no map and no list.
 Expected<std::string> text_of(const YAML::Node& value);

@@ -19,9 +19,11 @@ std::string unknown_key(std::string_view key, std::span<const std::string_view> 
 }  // namespace
 
 YamlSection::YamlSection(const YamlField& map, std::span<const std::string_view> known,
-                         YamlFaults& faults)
+                         YamlFaults& faults, std::string_view example)
     : faults_(faults) {
-    for (auto& field : entries(map, faults)) {
+    const std::string advice =
+        example.empty() ? "; known here are " + listed(known) : ", such as " + std::string(example);
+    for (auto& field : entries(map, faults, advice)) {
         if (std::find(known.begin(), known.end(), field.key) != known.end()) {
             fields_.push_back(std::move(field));
         } else {

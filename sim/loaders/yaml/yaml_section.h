@@ -20,8 +20,10 @@ namespace scipd::sim {
 /// A map with known keys.
 class YamlSection {
   public:
-    /// Keys that are not known become faults.
-    YamlSection(const YamlField& map, std::span<const std::string_view> known, YamlFaults& faults);
+    /// Keys that are not known become faults. A value that is no map gets the example as advice,
+    /// or without one the known keys.
+    YamlSection(const YamlField& map, std::span<const std::string_view> known, YamlFaults& faults,
+                std::string_view example = {});
 
     /// Null where the key is not there.
     [[nodiscard]] const YamlField* find(std::string_view key) const;

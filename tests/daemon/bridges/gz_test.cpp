@@ -49,7 +49,7 @@ TEST_F(GzTest, TellsWhichTopicsThereAreInPlaceOfTheOneThatIsNot) {
     const auto bus = listen_to_gz({"/world/hall/poses/info"}, kept_);
     ASSERT_TRUE(kept_.wait_for_trouble());
     EXPECT_EQ(kept_.trouble(),
-              "nobody publishes /world/hall/poses/info; did you mean '/world/hall/pose/info'?");
+              "no publisher of /world/hall/poses/info; did you mean '/world/hall/pose/info'?");
     Kept of_scans;
     const auto another = listen_to_gz({"/scan"}, of_scans);
     ASSERT_TRUE(of_scans.wait_for_trouble());

@@ -140,7 +140,7 @@ TEST_F(Ros2Test, TellsWhichTopicsThereAreInPlaceOfTheOneThatIsNot) {
     FastDdsPublisher scans(domain_, "/scan", "sensor_msgs/LaserScan");
     const auto bus = listen_to_ros2({.topic = "/odm"}, kept_);
     ASSERT_TRUE(kept_.wait_for_trouble());
-    EXPECT_THAT(kept_.trouble(), HasSubstr("nobody publishes /odm; did you mean '/odom'?"));
+    EXPECT_THAT(kept_.trouble(), HasSubstr("no publisher of /odm; did you mean '/odom'?"));
     EXPECT_THAT(kept_.trouble(), HasSubstr("ROS domain " + std::to_string(domain_)));
     Kept of_scans;
     const auto another = listen_to_ros2({.topic = "/scan"}, of_scans);
@@ -152,7 +152,7 @@ TEST_F(Ros2Test, HearsNothingOfOtherDomains) {
     FastDdsPublisher elsewhere(domain_ == 199 ? 100 : domain_ + 1, "/odom", "nav_msgs/Odometry");
     const auto bus = listen_to_ros2({.topic = "/odom"}, kept_);
     ASSERT_TRUE(kept_.wait_for_trouble());
-    EXPECT_THAT(kept_.trouble(), HasSubstr("nobody publishes /odom; there are no topics"));
+    EXPECT_THAT(kept_.trouble(), HasSubstr("no publisher of /odom; there are no topics"));
     EXPECT_EQ(elsewhere.subscribers(), 0);
 }
 

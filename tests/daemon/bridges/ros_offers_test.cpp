@@ -28,13 +28,13 @@ TEST(RosOffers, TakesWhatAllWhoPublishCanDo) {
 
 TEST(RosOffers, TellsWhyNothingCanCome) {
     RosOffers offers;
-    EXPECT_EQ(offers.trouble_with("/odom"), "nobody publishes /odom; there are no topics");
+    EXPECT_EQ(offers.trouble_with("/odom"), "no publisher of /odom; there are no topics");
     offers.add("a", {"/robot_1/odometry", odometry, true, true});
     offers.add("b", {"/scan", scan, true, true});
     EXPECT_EQ(offers.trouble_with("/odom"),
-              "nobody publishes /odom; topics there are /robot_1/odometry");
+              "no publisher of /odom; topics there are /robot_1/odometry");
     EXPECT_EQ(offers.trouble_with("/robot_2/odometry"),
-              "nobody publishes /robot_2/odometry; did you mean '/robot_1/odometry'?");
+              "no publisher of /robot_2/odometry; did you mean '/robot_1/odometry'?");
     EXPECT_THAT(offers.trouble_with("/scan"), HasSubstr("/scan is of sensor_msgs/LaserScan"));
     EXPECT_FALSE(offers.common("/scan"));
     EXPECT_EQ(offers.trouble_with("/robot_1/odometry"), "");

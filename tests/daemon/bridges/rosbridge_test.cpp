@@ -107,7 +107,7 @@ TEST(RosJson, TellsMessagesApartByWhatTheyHave) {
     EXPECT_EQ(type_of(R"({"header":{},"pose":{"pose":)" + pose + "}}"),
               "geometry_msgs/PoseWithCovarianceStamped");
     EXPECT_EQ(type_of(R"({"clock":{"sec":1,"nanosec":0}})"), "rosgraph_msgs/Clock");
-    EXPECT_EQ(type_of(R"({"ranges":[]})"), "/x: it tells of no place that scipd could read");
+    EXPECT_EQ(type_of(R"({"ranges":[]})"), "/x: it holds no pose that scipd can read");
     EXPECT_TRUE(std::holds_alternative<RosbridgeOther>(*read_rosbridge(R"({"op":"pong"})")));
     EXPECT_FALSE(read_rosbridge("[1"));
 }

@@ -74,7 +74,9 @@ TEST_F(ConfigMedia, TellTheirFaultsWithLineAndKey) {
             "rig.yaml:8: media.mm_per_hour: must be a number, not 'nan'",
             "rig.yaml:9: media.box: needs to",
             "rig.yaml:10: media.box: must go from the lowest corner to the highest in x, y and z",
-            "rig.yaml:11: media.box: must be a map of keys and values"));
+            "rig.yaml:11: media.box: must be a map of keys and values, such as box: {from: [0, 0, "
+            "0], "
+            "to: [3, 2, 2.5]}"));
 }
 
 TEST_F(ConfigMedia, AreBoundInEachNumber) {

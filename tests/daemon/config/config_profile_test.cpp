@@ -349,12 +349,13 @@ TEST_F(ConfigProfileFaults, OfOneValue) {
     EXPECT_THAT(said("serial: {a: b}"), ElementsAre("serial: must be a single value, not a map"));
     EXPECT_THAT(sensor_faults("profile: x"),
                 ElementsAre("rig.yaml:3: robots.r.sensors.s.profile: must be a map of keys and "
-                            "values"));
+                            "values, such as {serial: H1234567}"));
 }
 
 TEST_F(ConfigProfileFaults, OfNoise) {
     EXPECT_THAT(said("noise: 3"), ElementsAre("noise: must be a list of at most 64, in brackets"));
-    EXPECT_THAT(said("noise: [3]"), ElementsAre("noise: must be a map of keys and values"));
+    EXPECT_THAT(said("noise: [3]"),
+                ElementsAre(testing::StartsWith("noise: must be a map of keys and values")));
     EXPECT_THAT(said("noise: [{sigma: 1}]"),
                 ElementsAre("noise.sigma: unknown key; did you mean sigma_m?"));
     EXPECT_THAT(said("noise: [{sigma_m: -1, share: 2, from_m: x}]"),
@@ -470,7 +471,9 @@ robots:
     EXPECT_EQ(told[4], "rig.yaml:7: models.WRONG.dmax: unknown key; did you mean amax?");
     EXPECT_EQ(told[5], "rig.yaml:7: models.WRONG.serial: must be a single value, not a list");
     EXPECT_EQ(told[6], "rig.yaml:7: models.WRONG.amin: must be at most 540, afrt, not 700");
-    EXPECT_EQ(told[7], "rig.yaml:8: models.NONE: must be a map of keys and values");
+    EXPECT_EQ(
+        told[7],
+        "rig.yaml:8: models.NONE: must be a map of keys and values, such as {like: UST-10LX}");
     EXPECT_THAT(told[8],
                 testing::AllOf(testing::StartsWith("rig.yaml:13: robots.r.sensors.b.model: there "
                                                    "is no model \"MINE\""),

@@ -96,8 +96,9 @@ TEST_F(ConfigSensorTest, SaysWhatADepthBufferCannotBe) {
                             at("depth.widest_pass_deg: must be a number, not 'wide'")));
     EXPECT_THAT(sensor_faults("depth: {widest_pass_deg: 9.9}"),
                 ElementsAre(at("depth.widest_pass_deg: must be 10 to 120 degrees, not '9.9'")));
-    EXPECT_THAT(sensor_faults("depth: exact"),
-                ElementsAre(at("depth: must be a map of keys and values")));
+    EXPECT_THAT(
+        sensor_faults("depth: exact"),
+        ElementsAre(at("depth: must be a map of keys and values, such as depth: {oversample: 2}")));
     EXPECT_THAT(sensor_faults("backend: embree, depth: {oversample: 2}"),
                 ElementsAre(at("depth: is of a depth buffer, which backend embree has not; use "
                                "backend depth or auto, or leave it out")));
@@ -126,8 +127,9 @@ TEST_F(ConfigSensorTest, HasAClockThatRunsAsItLikes) {
     EXPECT_EQ(sensor("clock: {phase_ms: 12.5}").clock.phase, 12500us);
     EXPECT_THAT(sensor_faults("clock: {phase_ms: 1001}"),
                 ElementsAre(at("clock.phase_ms: must be 0 to 1000 ms, not '1001'")));
-    EXPECT_THAT(sensor_faults("clock: 50"),
-                ElementsAre(at("clock: must be a map of keys and values")));
+    EXPECT_THAT(
+        sensor_faults("clock: 50"),
+        ElementsAre(at("clock: must be a map of keys and values, such as clock: {ppm: 20}")));
 }
 
 TEST_F(ConfigSensorTest, HasALinkWithTroublesOfItsOwn) {

@@ -129,7 +129,9 @@ TEST_F(ConfigStaringTest, SaysWhatIsMissing) {
                 ElementsAre(at(".camera: needs columns"), at(".camera: needs rows"),
                             at(".camera: needs fov_deg"), at(".camera: needs rate_hz"),
                             at(".camera: needs range_m")));
-    EXPECT_THAT(faults("ranger: 30"), ElementsAre(at(".ranger: must be a map of keys and values")));
+    EXPECT_THAT(faults("ranger: 30"),
+                ElementsAre(at(".ranger: must be a map of keys and values; known here are "
+                               "cone_deg, beams, aggregate, rate_hz, range_m, noise")));
     EXPECT_THAT(faults("ranger: {beams: 61}"),
                 ElementsAre(at(".ranger: needs cone_deg"), at(".ranger: needs rate_hz"),
                             at(".ranger: needs range_m")));

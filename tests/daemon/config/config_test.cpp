@@ -155,7 +155,7 @@ TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
                     "pty, or leave it out",
                     "rig.yaml:20: robots.rescue.sensors.rear/left: 'rear/left' is no name: use "
                     "up to 64 letters, digits, _ - and ., not beginning with a dot",
-                    "rig.yaml:20: robots.rescue.sensors.rear/left: nobody can reach it; give "
+                    "rig.yaml:20: robots.rescue.sensors.rear/left: no driver could reach it: give "
                     "tcp or pty, such as `pty: auto`",
                     "rig.yaml:21: robots.rescue.sensors.rear/left.model: there is no model "
                     "\"UST-99\"; the models are URG-04LX, URG-04LX-UG01, UBG-04LX-F01, "
@@ -344,11 +344,14 @@ TEST_F(ConfigTest, NeedsARobotWithASensor) {
     EXPECT_THAT(faults(start + "robots: {}"),
                 ElementsAre("rig.yaml:2: robots: needs at least one robot, under robots"));
     EXPECT_THAT(faults(start + "robots:"),
-                ElementsAre("rig.yaml:2: robots: must be a map of keys and values"));
+                ElementsAre("rig.yaml:2: robots: must be a map of keys and values, such as robots: "
+                            "{cart: {sensors: {front: {model: UST-10LX}}}}"));
     EXPECT_THAT(faults(start + "robots: {r: {}}"),
                 ElementsAre("rig.yaml:2: robots.r: needs at least one sensor, under sensors"));
-    EXPECT_THAT(faults(start + "robots: {r: {sensors: [a]}}"),
-                ElementsAre("rig.yaml:2: robots.r.sensors: must be a map of keys and values"));
+    EXPECT_THAT(
+        faults(start + "robots: {r: {sensors: [a]}}"),
+        ElementsAre("rig.yaml:2: robots.r.sensors: must be a map of keys and values, such as "
+                    "sensors: {front: {model: UST-10LX}}"));
 }
 
 TEST_F(ConfigTest, SaysWhatAValueMayBe) {
@@ -360,7 +363,7 @@ TEST_F(ConfigTest, SaysWhatAValueMayBe) {
                             "not a list"));
     EXPECT_THAT(sensor_faults("mount: [1, 2, 3]"),
                 ElementsAre("rig.yaml:3: robots.r.sensors.s.mount: must be a map of keys and "
-                            "values"));
+                            "values, such as mount: {xyz: [0, 0, 0.3], rpy: [0, 0, 0]}"));
     EXPECT_THAT(sensor_faults("mount: {xyz: [1e8, 0, 0]}"),
                 ElementsAre("rig.yaml:3: robots.r.sensors.s.mount.xyz: must lie within 1e7 m, "
                             "not '1e8'"));
@@ -375,7 +378,7 @@ TEST_F(ConfigTest, SaysWhatAValueMayBe) {
     EXPECT_THAT(sensor_faults("tcp: none"), ElementsAre());
     EXPECT_THAT(faults("scene: room.sdf\n"
                        "robots: {r: {sensors: {s: {model: UST-10LX, tcp: none, pty: none}}}}"),
-                ElementsAre("rig.yaml:2: robots.r.sensors.s: nobody can reach it; give tcp or "
+                ElementsAre("rig.yaml:2: robots.r.sensors.s: no driver could reach it: give tcp or "
                             "pty, such as `pty: auto`"));
 }
 
@@ -392,9 +395,13 @@ TEST_F(ConfigTest, NamesMaterialsBesideItself) {
 TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
     EXPECT_THAT(faults("scene: room.sdf\nrobots: {r: [}\n"),
                 ElementsAre(HasSubstr("rig.yaml:2: not YAML: ")));
-    EXPECT_THAT(faults("scene: room.sdf\n\tseed: 1\n"),
-                ElementsAre(HasSubstr("rig.yaml:2: not YAML: ")));
-    EXPECT_THAT(faults("just words"), ElementsAre("rig.yaml:1: must be a map of keys and values"));
+    const std::string tabs = ": YAML does not allow tabs for indentation; use spaces";
+    EXPECT_THAT(faults("scene: room.sdf\n\tseed: 1\n"), ElementsAre("rig.yaml:2" + tabs));
+    EXPECT_THAT(faults("robots:\n  r:\n\tsensors: 3\n"), ElementsAre("rig.yaml:3" + tabs));
+    EXPECT_THAT(faults("robots:\n  r:\n\t  sensors: 3\n"), ElementsAre("rig.yaml:3" + tabs));
+    EXPECT_THAT(faults("just words"),
+                ElementsAre(testing::StartsWith(
+                    "rig.yaml:1: must be a map of keys and values; known here are scene, ")));
     EXPECT_THAT(faults(std::string{whole} + "---\nscene: room.sdf\n"),
                 ElementsAre("rig.yaml:27: a second YAML document; keep one"));
     // On which the library's own way to read all documents never ends.

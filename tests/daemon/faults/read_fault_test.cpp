@@ -116,7 +116,9 @@ TEST(ReadFault, SaysInOneSentenceWhatIsWrong) {
     const std::string number = "must be a whole number from ";
     const std::string command = "must be the code of a command, such as MD, GD, QT or RB, not ";
     const std::pair<const char*, std::string> table[] = {
-        {R"("at":3)", "at: must be a map of keys and values"},
+        {R"("at":3)",
+         "at: must be a map of keys and values; known here are nth, scan, time_s, scans, s, "
+         "request"},
         {R"("at":{})", "at: needs one of scan, time_s, scans, s, request"},
         {R"("at":{"scan":1,"s":1})", "at: must have only one of scan, time_s, scans, s, request"},
         {R"("at":{"scan":-1})", "at.scan: " + number + "0 to 999999999, not '-1'"},

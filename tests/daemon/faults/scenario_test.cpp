@@ -134,7 +134,8 @@ steps:
                             "bad_day.yaml:8: steps.3: needs a sensor: ROBOT/SENSOR, or \"*\" for "
                             "every scanner",
                             "bad_day.yaml:8: steps.3: needs rate, 0 to 1",
-                            "bad_day.yaml:9: steps.4: must be a map of keys and values",
+                            "bad_day.yaml:9: steps.4: must be a map of keys and values, such as "
+                            "{kind: stall, for: {s: 2}}",
                             "bad_day.yaml:13: steps.5.until: cannot stand beside for; leave one of "
                             "them out",
                             "bad_day.yaml:14: steps.5.bytes: unknown key; known here are kind, at, "
@@ -145,8 +146,10 @@ steps:
 
 TEST(Scenario, NeedsSteps) {
     const std::string list = "bad_day.yaml:1: steps: must be a list of 1 to 1000 steps";
-    EXPECT_THAT(faults(""), ElementsAre("bad_day.yaml:1: needs steps, a list of what goes wrong"));
-    EXPECT_THAT(faults("[]"), ElementsAre("bad_day.yaml:1: must be a map of keys and values"));
+    EXPECT_THAT(faults(""), ElementsAre("bad_day.yaml:1: needs steps, a list of faults"));
+    EXPECT_THAT(faults("[]"),
+                ElementsAre("bad_day.yaml:1: must be a map of keys and values; known here are "
+                            "seed, steps"));
     EXPECT_THAT(faults("steps: []"), ElementsAre(list));
     EXPECT_THAT(faults("steps: {kind: nothing}"), ElementsAre(list));
     EXPECT_THAT(faults("steps: ~"), ElementsAre(list));
@@ -181,8 +184,9 @@ TEST(Scenario, MayShareWhatStepsHaveInCommon) {
     ASSERT_EQ(scenario.steps.size(), 2U);
     EXPECT_EQ(scenario.steps[1].fault.end, FaultEnd{ForTime{3s}});
     EXPECT_EQ(scenario.steps[1].fault.said, R"({"kind":"nothing","for":{"s":3}})");
-    EXPECT_THAT(faults("steps: &all\n- *all\n"),
-                ElementsAre(testing::EndsWith("must be a map of keys and values")));
+    EXPECT_THAT(
+        faults("steps: &all\n- *all\n"),
+        ElementsAre(testing::HasSubstr("must be a map of keys and values, such as {kind: ")));
     EXPECT_THAT(faults("steps:\n- &step {sensor: '*', kind: nothing, at: *step}\n"),
                 testing::Contains(testing::HasSubstr("steps.1.at.at: unknown key")));
 }

@@ -127,9 +127,9 @@ TEST_F(LoadMaterials, GoesWithThePlanOfARig) {
 
 TEST(SummaryOfMaterials, SaysWhichShareIsAssumed) {
     sim::MaterialLibrary library;
-    EXPECT_EQ(summary_of(library), "0 (0 % of 0 numbers assumed)");
+    EXPECT_EQ(summary_of(library), "0 with 0 parameters, 0 % of them assumed (not measured)");
     library.add({.name = "a", .reflectance = {{905, 0.5}}, .numbers = 3, .assumed = 2});
-    EXPECT_EQ(summary_of(library), "1 (67 % of 3 numbers assumed)");
+    EXPECT_EQ(summary_of(library), "1 with 3 parameters, 67 % of them assumed (not measured)");
 }
 
 }  // namespace

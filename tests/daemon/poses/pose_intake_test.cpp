@@ -345,7 +345,7 @@ TEST_F(PoseIntakeTest, KnowsWhomALineMeans) {
     EXPECT_DOUBLE_EQ(robot_x(), 0.0);
     EXPECT_FALSE(take(R"({"xyz":[7,0,0]})", 1s));
     EXPECT_DOUBLE_EQ(robot_x(), 7.0);
-    EXPECT_EQ(take(R"({"xyz":[8,0,0]})", 2s, ""), "robot: say which; robots are robot, second");
+    EXPECT_EQ(take(R"({"xyz":[8,0,0]})", 2s, ""), "robot is missing; robots are robot, second");
 }
 
 // A packet of 50 Hz comes every 20 ms, whatever its stamp says.

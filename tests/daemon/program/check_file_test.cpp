@@ -57,14 +57,14 @@ class CheckFile : public testing::Test {
 TEST_F(CheckFile, CountsAWorld) {
     EXPECT_EQ(
         said("room.sdf", world("<box><size>2 3 1</size></box>")),
-        "room.sdf: no faults; a world; models: 1, objects: 1, triangles of meshes: 0, size: 2 "
+        "room.sdf: no errors; a world; models: 1, objects: 1, triangles of meshes: 0, size: 2 "
         "x 3 x 1 m from (-1 -1.5 -0.5), materials: default\n");
     const std::string bad = world(
         "<box><size>2 0 1</size></box></geometry></visual><visual name='w'><geometry>"
         "<box><size>2 3 1</size></box>");
     EXPECT_THAT(said("bad.sdf", bad),
                 AllOf(StartsWith("bad.sdf:1: m::l::v: every size must be above 0"),
-                      HasSubstr("\nbad.sdf: no faults; a world; models: 1, objects: 1, ")));
+                      HasSubstr("\nbad.sdf: no errors; a world; models: 1, objects: 1, ")));
     EXPECT_THAT(said("bad.sdf", bad, true), StartsWith("refused: bad.sdf:1: m::l::v: every size"));
     EXPECT_THAT(said("torn.sdf", "<sdf"), StartsWith("refused: torn.sdf"));
 }
@@ -72,7 +72,7 @@ TEST_F(CheckFile, CountsAWorld) {
 TEST_F(CheckFile, CountsAMesh) {
     EXPECT_THAT(
         said("ramp.obj", triangle),
-        StartsWith("ramp.obj: no faults; a mesh; models: 1, objects: 1, triangles of meshes: "
+        StartsWith("ramp.obj: no errors; a mesh; models: 1, objects: 1, triangles of meshes: "
                    "1, size: 3 x 4 x 1 m from (0 0 0)"));
     EXPECT_THAT(said("big.obj", "v 0 0 0\nv 3000 0 0\nv 0 4000 1\nf 1 2 3\n"),
                 HasSubstr("big.obj: is very large; if it is in millimetres"));
@@ -85,7 +85,7 @@ TEST_F(CheckFile, CountsAMap) {
         "image: hall.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
         "free_thresh: 0.2\n";
     EXPECT_THAT(said("hall.yaml", map),
-                AllOf(StartsWith("hall.yaml: no faults; a ROS map; models: 1, objects: "),
+                AllOf(StartsWith("hall.yaml: no errors; a ROS map; models: 1, objects: "),
                       HasSubstr("size: 2 x 1 x 2 m from (0 0 0)")));
     EXPECT_THAT(said("torn.yaml", "image: none.pgm\nresolution: 0\norigin: [0, 0, 0]\n"),
                 AllOf(StartsWith("refused: torn.yaml:"), HasSubstr("resolution")));
@@ -93,7 +93,7 @@ TEST_F(CheckFile, CountsAMap) {
 
 TEST_F(CheckFile, TakesAModelOfGazebo) {
     EXPECT_THAT(said("box.model", world("<box><size>2 3 1</size></box>")),
-                StartsWith("box.model: no faults; a world; models: 1, objects: 1, "));
+                StartsWith("box.model: no errors; a world; models: 1, objects: 1, "));
 }
 
 TEST_F(CheckFile, SaysWhatAnotherWorldInYamlIs) {
@@ -107,15 +107,15 @@ TEST_F(CheckFile, CountsATrajectory) {
     const std::string lap = "0 0 0 0 0 0 0 1\n1 3 4 0 0 0 0 1\n2 3 5 0 0 0 0 1\n";
     const std::string figures =
         "poses: 3, duration: 2.000 s, rate: 1 Hz, path: 6 m, fastest: 5 m/s\n";
-    EXPECT_EQ(said("lap.tum", lap), "lap.tum: no faults; a trajectory (TUM); " + figures);
+    EXPECT_EQ(said("lap.tum", lap), "lap.tum: no errors; a trajectory (TUM); " + figures);
     EXPECT_EQ(said("lap.txt", "# a lap\n" + lap),
-              "lap.txt: no faults; a trajectory (TUM); " + figures);
+              "lap.txt: no errors; a trajectory (TUM); " + figures);
     EXPECT_EQ(said("lap.csv", "t,x,y,yaw\n0,0,0,0\n1,3,4,0\n2,3,5,0\n"),
-              "lap.csv: no faults; a trajectory (CSV); " + figures);
+              "lap.csv: no errors; a trajectory (CSV); " + figures);
     EXPECT_THAT(said("leap.tum", "0 0 0 0 0 0 0 1\n1 500 0 0 0 0 0 1\n"),
                 EndsWith("fastest: 500 m/s, jumps: 1\n"));
     EXPECT_EQ(said("one.tum", "0 0 0 0 0 0 0 1\n"),
-              "one.tum: no faults; a trajectory (TUM); poses: 1, duration: 0.000 s\n");
+              "one.tum: no errors; a trajectory (TUM); poses: 1, duration: 0.000 s\n");
     EXPECT_THAT(said("back.tum", "1 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n"),
                 StartsWith("refused: back.tum:2: "));
     const std::string more = "t,x,y,yaw,v\n0,0,0,0,1\n1,3,4,0,1\n";
@@ -128,7 +128,7 @@ TEST_F(CheckFile, CountsAScenario) {
     EXPECT_EQ(said("bad_day.yaml",
                    "seed: 7\nsteps:\n- {sensor: r/front, kind: reboot}\n"
                    "- {sensor: '*', kind: freeze, for: {scans: 5}}\n"),
-              "bad_day.yaml: no faults; a scenario; steps: 2, seed: 7, kinds: freeze, reboot, "
+              "bad_day.yaml: no errors; a scenario; steps: 2, seed: 7, kinds: freeze, reboot, "
               "scanners: *, r/front\n");
     EXPECT_THAT(
         said("torn.yaml", "steps:\n- {sensor: front, kind: reboot}\n- {sensor: a/b, kind: x}\n"),
@@ -139,7 +139,8 @@ TEST_F(CheckFile, CountsAScenario) {
 
 TEST_F(CheckFile, CountsMaterials) {
     EXPECT_EQ(said("mine.yaml", "materials: {cork: {reflectance: {905: 0.5}, assumed: [905]}}\n"),
-              "mine.yaml: no faults; materials: 1 (100 % of 1 numbers assumed)\n");
+              "mine.yaml: no errors; materials: 1 with 1 parameters, 100 % of them assumed (not "
+              "measured)\n");
     EXPECT_THAT(said("torn.yaml", "materials: {cork: {reflectance: {905: 7}}}\n"),
                 StartsWith("refused: torn.yaml:1: "));
 }
@@ -149,7 +150,7 @@ TEST_F(CheckFile, StillTakesAConfigurationByAnyName) {
     const std::string config =
         "scene: room.sdf\nrobots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n";
     for (const char* name : {"rig.yaml", "rig.conf", "rig"})
-        EXPECT_THAT(said(name, config), HasSubstr(": no faults; robots: 1, sensors: 1, models: 1"));
+        EXPECT_THAT(said(name, config), HasSubstr(": no errors; robots: 1, sensors: 1, models: 1"));
     EXPECT_THAT(said("typo.yaml", "robot: {}\n"),
                 HasSubstr("typo.yaml:1: robot: unknown key; did you mean robots?"));
     EXPECT_THAT(said("torn.yaml", "robots: [\n"), HasSubstr("torn.yaml:2: not YAML: "));
@@ -157,7 +158,8 @@ TEST_F(CheckFile, StillTakesAConfigurationByAnyName) {
 }
 
 TEST_F(CheckFile, ListsWhatThereCouldBe) {
-    const std::string list = "is nothing that scipd reads; name a configuration, a scenario, ";
+    const std::string list =
+        "is not a file type that scipd knows. Known are: a configuration, a scenario, ";
     EXPECT_THAT(said("compose.yaml", "services: {web: {image: nginx}}\n"),
                 StartsWith("refused: compose.yaml: " + list));
     EXPECT_THAT(said("notes.txt", "Dear diary,\ntoday 3 robots\n"),

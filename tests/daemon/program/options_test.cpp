@@ -58,7 +58,8 @@ class OptionsTest : public testing::Test {
     /// What is told of the materials of scipd. Of one UST-20LX: its noise is that of a UST-10LX,
     /// its bias and its light have no source either.
     static std::string stock() {
-        return summary_of(*load_materials(Config{}).library) + ", error curves: 3 (100 % assumed)";
+        return summary_of(*load_materials(Config{}).library) +
+               ", error curves: 3, 100 % of them assumed";
     }
 
     /// A world of one line and one model.
@@ -230,7 +231,7 @@ TEST_F(OptionsTest, OfAScannerAreRefusedBesideAConfiguration) {
         EXPECT_EQ(both.text, "scipd: " + option.substr(0, option.find(' ')) +
                                  " is for a scanner without a configuration: beside --config, "
                                  "write " +
-                                 key + " into the file; see scipd --help\n");
+                                 key + " into the file\n");
     };
     refused("--model UST-10LX", "robots.ROBOT.sensors.SENSOR.model");
     refused("--power-up boot", "robots.ROBOT.sensors.SENSOR.power_up");
@@ -238,7 +239,7 @@ TEST_F(OptionsTest, OfAScannerAreRefusedBesideAConfiguration) {
     refused("--name a/b", "robots.ROBOT.sensors.SENSOR");
     refused("--sensor-from a", "robots.ROBOT.sensors.SENSOR.mount.sensor");
     EXPECT_EQ(answer("--config x.yaml --check y.yaml").text,
-              "scipd: --config and --check do not go together; see scipd --help\n");
+              "scipd: --config and --check do not go together\n");
     EXPECT_THAT(answer("--broker mqtt://a " + scene()).text, HasSubstr("go together"));
 }
 
@@ -288,7 +289,7 @@ TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
     EXPECT_EQ(answer("--check " + whole.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + whole.string()).text,
               whole.string() +
-                  ": no faults; robots: 1, sensors: 1, models: 1, materials: " + stock() + "\n");
+                  ": no errors; robots: 1, sensors: 1, models: 1, materials: " + stock() + "\n");
 
     const auto broken = dir_.write("broken.yaml", "scene: room.sdf\nrobot: {}\nseed: x\n");
     EXPECT_EQ(answer("--check " + broken.string()).exit_code, 2);
@@ -319,7 +320,7 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + file.string()).text,
               bad.string() + ":1: a: has no <model>; left out\n" + file.string() +
-                  ": no faults; robots: 1, sensors: 1, models: 1, materials: " + stock() + "\n");
+                  ": no errors; robots: 1, sensors: 1, models: 1, materials: " + stock() + "\n");
     EXPECT_EQ(answer("--check " + file.string() + " --strict").exit_code, 2);
     EXPECT_TRUE(run("--strict " + scene()).config.strict);
     EXPECT_FALSE(run(scene()).config.strict);
@@ -337,8 +338,9 @@ TEST_F(OptionsTest, CheckSaysWhereLaserRetroCountsForNothing) {
                           .string())
             .text;
     };
-    const std::string line = "laser_retro and materials of " + world.string() +
-                             " count at accuracy: material only, and no scanner has that\n";
+    const std::string line = world.string() +
+                             " defines laser_retro values, but they have no effect: no scanner "
+                             "uses `accuracy: material`\n";
     EXPECT_THAT(check("sensor"), testing::HasSubstr(line));
     EXPECT_THAT(check("material"), testing::Not(testing::HasSubstr("laser_retro")));
 }
@@ -354,8 +356,8 @@ TEST_F(OptionsTest, CheckSaysWhereMaterialsOfAWorldCountForNothing) {
                                        .string())
             .text;
     };
-    EXPECT_THAT(world("glass"), testing::HasSubstr("the materials of "));
-    EXPECT_THAT(world("Made/Up"), testing::Not(testing::HasSubstr("the materials of ")));
+    EXPECT_THAT(world("glass"), testing::HasSubstr(" defines materials, but "));
+    EXPECT_THAT(world("Made/Up"), testing::Not(testing::HasSubstr(" defines materials, but ")));
 }
 
 TEST_F(OptionsTest, CheckSaysWhereErrorsAreOfARecording) {
@@ -488,7 +490,7 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
         {"--tcp 10940",
          "--tcp: must be ADDRESS:PORT such as 127.0.0.1:10940, [::1]:10940 or localhost:0, not "
          "'10940'"},
-        {"--tcp none --pty none", "--tcp none and --pty none: nobody could reach the scanner"},
+        {"--tcp none --pty none", "--tcp none and --pty none: no driver could reach the scanner"},
         {"--name robot", "--name: must be ROBOT/SENSOR, such as rescue/front, not 'robot'"},
         {"--name a/..",
          "--name: '..' is no name: use up to 64 letters, digits, _ - and ., not beginning with a "
@@ -515,7 +517,7 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
     for (const auto& [line, sentence] : table) {
         const Answer refused = answer(line);
         EXPECT_EQ(refused.exit_code, 2) << line;
-        EXPECT_EQ(refused.text, "scipd: " + sentence + "; see scipd --help\n");
+        EXPECT_EQ(refused.text, "scipd: " + sentence + "\n");
     }
     for (const char* line : {"--tcp", "--seed 1 --seed 2", "--log-level x", "--log-format xml"})
         EXPECT_EQ(answer(line).exit_code, 2) << line;
@@ -523,15 +525,56 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
 
 TEST(Options, NamesTheOptionThatSomebodyMeant) {
     const std::pair<const char*, const char*> table[] = {
-        {"--sceen x", "there is no option --sceen; did you mean --scene? See"},
-        {"--seed 2 --treads=3", "there is no option --treads; did you mean --threads? See"},
-        {"--radar", "there is no option --radar; see"},
-        {"rig.yaml", "'rig.yaml' is no option; leave it out; see"},
+        {"--sceen x", "there is no option --sceen; did you mean --scene?"},
+        {"--seed 2 --treads=3", "there is no option --treads; did you mean --threads?"},
+        {"--radar", "there is no option --radar; see scipd --help"},
+        {"rig.yaml", "unexpected argument 'rig.yaml'; see scipd --help"},
+        // As other programs name them; --port is also near to --pose, and --noise too.
+        {"--port 10940", "there is no option --port; did you mean --tcp ADDR:PORT?"},
+        {"--noise=2",
+         "there is no option --noise; did you mean --accuracy ideal|sensor|material, or `scipctl "
+         "sensor set noise=2` for a factor?"},
+        {"--device /tmp/urg", "there is no option --device; did you mean --pty LINK?"},
     };
     for (const auto& [line, sentence] : table) {
         EXPECT_EQ(answer(line).exit_code, 2) << line;
-        EXPECT_EQ(answer(line).text, "scipd: " + std::string(sentence) + " scipd --help\n");
+        EXPECT_EQ(answer(line).text, "scipd: " + std::string(sentence) + "\n");
     }
+}
+
+TEST_F(OptionsTest, NamesTheOptionThatAFileNeeds) {
+    const auto room = (dir_.path() / "room.sdf").string();
+    const auto lap = dir_.write("lap.tum", "1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n").string();
+    const auto rig =
+        dir_.write("rig.yaml", "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n")
+            .string();
+    const auto day = dir_.write("day.yaml", "steps: [{sensor: r/s, kind: reboot}]\n").string();
+    const std::pair<std::string, std::string> table[] = {
+        {room, "--scene " + room},
+        {rig, "--config " + rig},
+        {lap, "--poses " + lap},
+        {day, "--scenario " + day},
+        {"scans.mcap", "--replay scans.mcap"},
+    };
+    for (const auto& [file, option] : table) {
+        EXPECT_EQ(answer(file).exit_code, 2);
+        const std::string text = answer(file).text;
+        EXPECT_THAT(text, testing::StartsWith("scipd: unexpected argument '"));
+        EXPECT_THAT(text, testing::EndsWith("'; did you mean " + option + "?\n"));
+    }
+    EXPECT_EQ(answer("--config " + room).text, "scipd: --config: '" + room +
+                                                   "' is not a configuration; did you mean "
+                                                   "--scene " +
+                                                   room + "?\n");
+    EXPECT_EQ(
+        answer("--world " + room).text,
+        "scipd: --world: names a shared world, not a file; did you mean --scene " + room + "?\n");
+    EXPECT_THAT(answer("--replay " + lap).text,
+                HasSubstr("lap.tum' is a trajectory, not a recording; a robot follows it by its "
+                          "poses (--poses)\n"));
+    EXPECT_THAT(answer("--model ust-10lx").text,
+                HasSubstr("there is no model \"ust-10lx\"; did you mean UST-10LX? The models are "
+                          "URG-04LX, "));
 }
 
 TEST(Options, WhatOtherMachinesReachNeedsATokenThatOptionsCannotSay) {
@@ -554,7 +597,7 @@ TEST(Options, AWorldIsSharedByWayOfABroker) {
 TEST(Options, ASocketPathMustFitTheSystem) {
     EXPECT_EQ(answer("--control /" + std::string(200, 'x')).text,
               "scipd: --control: must be shorter: a socket's path has at most 107 bytes, this has "
-              "201; see scipd --help\n");
+              "201\n");
 }
 
 }  // namespace

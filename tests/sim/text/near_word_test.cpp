@@ -20,6 +20,13 @@ TEST(NearWord, IsTheOneThatTakesFewestLetters) {
     EXPECT_EQ(meant("--scene", {}), std::nullopt);
 }
 
+TEST(NearWord, CountsNoCase) {
+    constexpr std::array<std::string_view, 2> known{"UST-20LX", "UST-10LX"};
+    EXPECT_EQ(meant("ust-10lx", known), "UST-10LX");
+    EXPECT_EQ(meant("ust10lx", known), "UST-10LX");
+    EXPECT_EQ(meant("sick-tim", known), std::nullopt);
+}
+
 TEST(NearWord, OfThreeLettersAllowsForOneSlip) {
     constexpr std::array<std::string_view, 1> known{"map"};
     EXPECT_EQ(meant("mpa", known), std::nullopt);

@@ -178,13 +178,14 @@ TEST(ScipcatCompare, SaysWhyADriveHasNoFloor) {
     });
     const Outcome outcome = run_scipcat({"compare", drive, drive});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("The floor is not known: no step of A looks at one surface "
-                                       "that stands still."));
+    EXPECT_THAT(outcome.out,
+                HasSubstr("The detection limit is not known: no step of A sees a single "
+                          "static surface."));
     EXPECT_THAT(outcome.out, ContainsRegex("  range .* not known\n"));
     expect_numbers({drive, drive});
     const json floor = json::parse(run_scipcat({"compare", drive, drive, "--json"}).out)["floor"];
     EXPECT_TRUE(floor.at("mean_mm").is_null());
-    EXPECT_THAT(floor.at("why").get<std::string>(), StartsWith("The floor is not known"));
+    EXPECT_THAT(floor.at("why").get<std::string>(), StartsWith("The detection limit is not known"));
 }
 
 TEST(ScipcatCompare, TakesNoMultipleOfNothing) {

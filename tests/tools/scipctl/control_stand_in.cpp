@@ -96,7 +96,7 @@ daemon::RigReport ControlStandIn::report() const {
                              .age_s = 0.012,
                              .late_ms = 4.26,
                              .most_late_ms = 11.5,
-                             .troubles = {"nobody publishes /odm; did you mean '/odom'?"}},
+                             .troubles = {"no publisher of /odm; did you mean '/odom'?"}},
                             {.robot = "other", .source = "udp:127.0.0.1:14550"}};
     for (const auto& [robot, pose] : poses_) {
         report.sensors.push_back({.name = robot + "/front",

@@ -67,7 +67,7 @@ class ScipctlFault : public testing::Test {
 };
 
 TEST_F(ScipctlFault, StartsListsAndStops) {
-    EXPECT_EQ(done({"fault", "list"}), "nothing goes wrong on purpose\n");
+    EXPECT_EQ(done({"fault", "list"}), "no faults are pending or active\n");
     EXPECT_EQ(done({"fault", "start", front, "stall", "--for", "s=2"}), "1\n");
     EXPECT_EQ(done({"fault", "start", front, "reboot"}), "2\n");
     EXPECT_EQ(done({"fault", "list", front}),
@@ -136,7 +136,7 @@ TEST_F(ScipctlFault, SaysWhatIsWrong) {
                 StartsWith("scipctl: there is no kind 'dance'; "));
     EXPECT_THAT(refused(1, {"fault", "stop", front, "9"}), HasSubstr("there is no fault \"9\""));
     EXPECT_EQ(refused(2, {"fault", "start", front}),
-              "scipctl: say what is to go wrong: fault kinds lists it\n");
+              "scipctl: name a kind of fault; `scipctl fault kinds` lists them\n");
     EXPECT_THAT(refused(2, {"fault", "start", front, "stall", "ms"}),
                 HasSubstr("\"ms\" is no KEY=VALUE"));
     EXPECT_THAT(refused(2, {"fault", "start", front, "stall", "--at", "12"}),

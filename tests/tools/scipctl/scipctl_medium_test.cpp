@@ -79,10 +79,15 @@ TEST_F(ScipctlMedium, SaysWhatIsWrong) {
     EXPECT_THAT(refused({"rain", "--rate", "nan"}), HasSubstr("must be a number from 0 to 500"));
     EXPECT_THAT(refused({"mud"}), HasSubstr("mud"));
     EXPECT_THAT(refused({"fog", "--visibility", "5", "--box", "1,2,3"}), HasSubstr("--box"));
+    EXPECT_EQ(refused({"fog", "20"}),
+              "scipctl: unexpected argument '20'; did you mean fog --visibility 20?\n");
+    EXPECT_EQ(refused({"rain", "4"}),
+              "scipctl: unexpected argument '4'; did you mean rain --rate 4?\n");
+    EXPECT_EQ(refused({"none", "4"}), "scipctl: unexpected argument '4'\n");
     EXPECT_EQ(refused({"--rate", "3"}),
-              "scipctl: say what there is before its numbers, such as: fog --visibility 20\n");
+              "scipctl: name the medium before its options, such as: fog --visibility 20\n");
     EXPECT_EQ(refused({"--name", "mist"}),
-              "scipctl: say what there is, such as: fog --visibility 20 --name mist\n");
+              "scipctl: name the kind of medium, such as: fog --visibility 20 --name mist\n");
     EXPECT_THAT(refused({"fog", "--visibility", "5", "--box", "0,0,0,1,0,1"}, 1),
                 HasSubstr("must go from the lowest corner to the highest"));
     EXPECT_EQ(list(), json::array());

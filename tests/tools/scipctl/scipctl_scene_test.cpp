@@ -152,6 +152,8 @@ TEST_F(ScipctlScene, SaysWhatToTypeInstead) {
     EXPECT_THAT(
         refused({"dance"}, 2),
         HasSubstr("there is no command \"dance\"; there are: status, sensors, top, pose, scene"));
+    EXPECT_EQ(refused({"scene", "add", "crate", "box"}, 2),
+              "scipctl: FILE: no such file: box (- reads standard input)\n");
     EXPECT_THAT(refused({"scene"}, 2), HasSubstr("name a command; there are: list, load, add"));
 }
 

@@ -152,7 +152,7 @@ TEST(Scipctl, TellsWhatComesFromEachSourceOfPoses) {
                                            "+0.0 s ago +4.3 / 11.5"));
     EXPECT_THAT(outcome.out, ContainsRegex("other +udp:127.0.0.1:14550 +- +0 +0 +0 +0.0 +- +-"));
     EXPECT_THAT(outcome.out,
-                HasSubstr("warning: rescue: nobody publishes /odm; did you mean '/odom'?\n"));
+                HasSubstr("warning: rescue: no publisher of /odm; did you mean '/odom'?\n"));
     const auto said = nlohmann::json::parse(run_scipctl(daemon, {"pose", "sources", "--json"}).out);
     EXPECT_EQ(said.at("sources").at(0).at("messages"), 1200);
 }
@@ -172,10 +172,25 @@ TEST(Scipctl, TellsWhatTheDaemonRefuses) {
     const ControlStandIn daemon({"rescue"});
     Outcome outcome = run_scipctl(daemon, {"pose", "get", "nobody"});
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_EQ(outcome.err, "scipctl: there is no robot \"nobody\"\n");
+    EXPECT_EQ(outcome.err, "scipctl: there is no robot \"nobody\"; there are: rescue\n");
     outcome = run_scipctl(daemon, {"pose", "set", "2000,0,0"});
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_EQ(outcome.err, "scipctl: that is outside the world\n");
+}
+
+TEST(Scipctl, SaysHowAPoseIsWritten) {
+    const ControlStandIn daemon({"cart", "rescue"});
+    Outcome outcome = run_scipctl(daemon, {"pose", "set", "1", "-2", "0"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err, "scipctl: write the pose as one word: 1,-2,0\n");
+    outcome = run_scipctl(daemon, {"pose", "set", "rescue", "1", "2", "0"});
+    EXPECT_EQ(outcome.err, "scipctl: write the pose as one word: 1,2,0\n");
+    const std::string no_robot = "scipctl: there is no robot \"robt\"; there are: cart, rescue\n";
+    EXPECT_EQ(run_scipctl(daemon, {"pose", "set", "robt", "1,2,0"}).err, no_robot);
+    EXPECT_EQ(run_scipctl(daemon, {"pose", "set", "robt"}).err, no_robot);
+    EXPECT_EQ(run_scipctl(daemon, {"pose", "set", "cart"}).err,
+              "scipctl: add the pose of cart, such as 1,2,0\n");
+    EXPECT_TRUE(daemon.puts().empty());
 }
 
 TEST(Scipctl, TellsThatNobodyListens) {

@@ -64,7 +64,7 @@ TEST(Report, IsAPageWithAllPictures) {
     for (const char* const title :
          {"The room, from above", "The noise, side by side", "Noise by intensity", "Noise by range",
           "Noise by beam", "Is the noise normal?", "What neighbours and scans share",
-          "On readings that it was not fitted to", "What is not known"})
+          "On readings that it was not fitted to", "Not identifiable"})
         EXPECT_THAT(page, HasSubstr(title));
     EXPECT_THAT(page, Not(HasSubstr("nan")));
     EXPECT_THAT(page, HasSubstr(">y: standard deviation (mm)</text>"));

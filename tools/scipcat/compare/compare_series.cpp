@@ -125,7 +125,7 @@ sim::Expected<Comparison> compare(const Taken& taken_a, const Taken& taken_b, bo
     Comparison comparison;
     auto pairs = pair_up(matter, fit, comparison);
     if (!pairs) return tl::unexpected(pairs.error());
-    if (pairs->empty()) return sim::refuse("A and B look at nothing in common");
+    if (pairs->empty()) return sim::refuse("A and B see nothing in common");
     matter.pairs = *std::move(pairs);
     if (comparison.motion) matter.moved_mm = glm::length(comparison.motion->shift_mm);
     comparison.a = side_of(taken_a, matter.beams_a);

@@ -76,8 +76,8 @@ struct Comparison {
     std::vector<BeamPair> pairs;
     std::vector<int> steps;  ///< of A, pair by pair
     std::vector<double>
-        mean_differences_mm;  ///< B less A of each pair, NaN where there is no such thing
-    double mean_mm = 0;       ///< B less A over all quiet pairs
+        mean_differences_mm;  ///< B − A of each pair, NaN where there is no such thing
+    double mean_mm = 0;       ///< B − A over all quiet pairs
     Interval mean_within_mm;
     Interval sd_within_mm;       ///< of the difference
     Interval neighbours_within;  ///< of the difference

@@ -32,7 +32,7 @@ std::string lists_of(const Comparison& comparison) {
 
 std::string table_of_both(const Comparison& comparison) {
     std::string text =
-        "<table>\n<tr><th></th><th>A</th><th>B</th><th>B less A</th><th>floor</th></tr>\n";
+        "<table>\n<tr><th></th><th>A</th><th>B</th><th>B − A</th><th>detection limit</th></tr>\n";
     for (const Row& row : overview_of(comparison)) {
         if ((row.a + row.b + row.difference).empty()) continue;
         text += "<tr>";

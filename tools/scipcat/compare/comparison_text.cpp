@@ -42,7 +42,7 @@ std::string as_text(const Comparison& comparison) {
     std::string text = "A  " + comparison.a.name + ": " + scanner_of(comparison.a) + "\nB  " +
                        comparison.b.name + ": " + scanner_of(comparison.b) + "\n" +
                        place_of(comparison) + "\n\n";
-    std::vector<Cells> rows{{"", "A", "B", "B less A", "floor"}};
+    std::vector<Cells> rows{{"", "A", "B", "B − A", "detection limit"}};
     for (const Row& row : overview_of(comparison)) {
         if (!(row.a + row.b + row.difference).empty())
             rows.push_back({row.what, row.a, row.b, row.difference, row.floor});

@@ -147,19 +147,18 @@ std::string verdict_of(const Comparison& comparison) {
 
 std::string missing_floor(const Comparison& comparison) {
     if (std::isfinite(comparison.floor.mean_mm)) return {};
-    return "The floor is not known: no step of A looks at one surface that stands still. Compare "
-           "scans of a scanner that stands still.";
+    return "The detection limit is not known: no step of A sees a single static surface. Compare "
+           "scans of a stationary scanner.";
 }
 
 std::string place_of(const Comparison& comparison) {
     if (!comparison.by_angle)
-        return "Not both say where their steps look, so that steps are compared by their numbers.";
-    if (!comparison.motion) return "B is taken to stand where A does.";
+        return "The angles of one side are unknown, so steps are compared by their numbers.";
+    if (!comparison.motion) return "B is taken to be at A's pose.";
     const auto& motion = *comparison.motion;
-    if (motion == PlanarMotion{}) return "B stands where A does, as far as the scans can tell.";
+    if (motion == PlanarMotion{}) return "B is at A's pose, within the accuracy of the scans.";
     return worded(
-        "B stands %.1f mm %s and %.1f mm to the %s of A, turned by %+.2f°; that is "
-        "allowed for.",
+        "B is %.1f mm %s and %.1f mm to the %s of A, turned by %+.2f°; this is compensated.",
         std::abs(motion.shift_mm.x), motion.shift_mm.x < 0 ? "behind" : "ahead",
         std::abs(motion.shift_mm.y), motion.shift_mm.y < 0 ? "right" : "left",
         motion.turn_rad * 180 / std::numbers::pi);
@@ -171,7 +170,7 @@ std::string scanner_of(const Side& side) {
     if (!side.identity.firmware.empty()) text += "  ·  firmware " + side.identity.firmware;
     text += worded("  ·  %zu scans of %zu steps", side.scans, side.steps);
     if (side.doubles > 0) text += worded("; %zu came twice", side.doubles);
-    if (side.odd_ones > 0) text += worded("; %zu others were left out", side.odd_ones);
+    if (side.odd_ones > 0) text += worded("; %zu others dropped", side.odd_ones);
     return text;
 }
 
@@ -195,7 +194,7 @@ std::vector<Row> overview_of(const Comparison& comparison) {
         row_of("scans a second", "%.3f", a.stamps.rate_hz, b.stamps.rate_hz),
         row_of("jitter", "%.2f ms", a.stamps.jitter_ms, b.stamps.jitter_ms),
         row_of("latency", "%.1f ms", a.latency_ms, b.latency_ms),
-        row_of("delay beyond the least", "%.2f ms", a.stamps.delay_ms, b.stamps.delay_ms),
+        row_of("extra delay (above the minimum)", "%.2f ms", a.stamps.delay_ms, b.stamps.delay_ms),
         {"clock", clock_text(a.stamps.clock), clock_text(b.stamps.clock), "", ""},
     };
 }

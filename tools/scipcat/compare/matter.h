@@ -52,7 +52,7 @@ struct Matter {
         return see_the_same(pair) && !pairs[pair].at_edge && is_steady(of_a(pair)) &&
                is_steady(of_b(pair));
     }
-    /// B less A, from A's place.
+    /// B − A, from A's place.
     [[nodiscard]] double mean_difference_mm(std::size_t pair) const {
         return of_b(pair).mean_mm + pairs[pair].nearer_mm - of_a(pair).mean_mm;
     }

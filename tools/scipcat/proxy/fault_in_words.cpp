@@ -42,12 +42,10 @@ std::vector<std::string_view> names_of_kinds() {
 }
 
 std::string no_such_kind(const std::string& kind, const std::vector<std::string_view>& names) {
-    std::string listed;
-    for (const std::string_view name : names)
-        listed.append(listed.empty() ? "" : ", ").append(name);
     const auto near = sim::meant(kind, names);
     return "--fault: " + sim::quote(kind) + " touches neither bytes nor messages" +
-           (near ? "; did you mean " + std::string(*near) + "?" : ".") + " These do: " + listed;
+           (near ? "; did you mean " + std::string(*near) + "?" : ".") +
+           " These do: " + sim::listed(names);
 }
 
 /// Why a proxy cannot do it; empty: it can.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/plan/shared_serials.h"
+#include "daemon/plan/notices.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Requests about one sensor that a user names. One thread.
+// Names of robots and sensors that a user gave or left out, and requests about them. One thread.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tools/control_client.h"
 
@@ -44,5 +45,17 @@ auto about_sensor(ControlClient& client, const std::string& sensor, Request requ
 
 /// A number, or a dash for null.
 [[nodiscard]] std::string number(const ControlClient::Json& value, const char* format);
+
+/// The robots that carry a sensor, each once.
+[[nodiscard]] std::vector<std::string> robots(ControlClient& client);
+
+/// Returns `wanted`; if that is empty, the only robot. Throws ControlError with the names of all if
+/// there is no such robot, or not exactly one.
+[[nodiscard]] std::string choose_robot(ControlClient& client, const std::string& wanted);
+
+[[nodiscard]] std::string pose_path(const std::string& robot);
+
+/// Names with commas between them, or a dash for none.
+[[nodiscard]] std::string joined(const ControlClient::Json& names);
 
 }  // namespace scipd::tools

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipctl/sensor_question.h"
+#include "tools/scipctl/names.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
+
+#include "sim/text/quote.h"
 
 namespace scipd::tools {
 namespace {
@@ -21,19 +24,15 @@ bool is_scanner(const Json& sensor) {
 std::string choose_sensor(ControlClient& client, const std::string& said, SensorKind kind) {
     if (!said.empty()) return said;
     const bool wants_scanner = kind == SensorKind::scanner;
-    std::string names;
-    std::string only;
-    std::size_t count = 0;
+    std::vector<std::string> names;
     for (const Json& sensor : client.get("/sensors")) {
-        if (is_scanner(sensor) != wants_scanner) continue;
-        only = sensor.at("name").get<std::string>();
-        names.append(names.empty() ? "" : ", ").append(only);
-        ++count;
+        if (is_scanner(sensor) == wants_scanner) names.push_back(sensor.at("name"));
     }
-    if (count == 1) return only;
+    if (names.size() == 1) return names.front();
     const std::string what = wants_scanner ? "scanner" : "camera or ranger";
-    throw ControlError(
-        404, count == 0 ? "there is no " + what : "which " + what + "? Name one of " + names);
+    throw ControlError(404, names.empty()
+                                ? "there is no " + what
+                                : "which " + what + "? Name one of " + sim::listed(names));
 }
 
 bool could_be_sensor(const std::string& word) {
@@ -43,12 +42,13 @@ bool could_be_sensor(const std::string& word) {
 
 void explain(ControlClient& client, const std::string& sensor, const ControlError& error) {
     if (error.status() != 404) throw ControlError(error);
-    std::string names;
+    std::vector<std::string> names;
     for (const Json& known : client.get("/sensors")) {
         if (known.at("name") == sensor) throw ControlError(error);
-        names.append(names.empty() ? "" : ", ").append(known.at("name").get<std::string>());
+        names.push_back(known.at("name"));
     }
-    throw ControlError(404, "there is no sensor \"" + sensor + "\"; there are: " + names);
+    throw ControlError(404,
+                       "there is no sensor \"" + sensor + "\"; there are: " + sim::listed(names));
 }
 
 std::string sensor_path(const std::string& sensor) {
@@ -71,6 +71,36 @@ std::string number(const Json& value, const char* format) {
     char text[32];
     std::snprintf(text, sizeof text, format, value.get<double>());
     return text;
+}
+
+std::vector<std::string> robots(ControlClient& client) {
+    std::vector<std::string> names;
+    for (const auto& sensor : client.get("/sensors")) {
+        const auto name = sensor.value("name", std::string());
+        const std::string robot = name.substr(0, name.find('/'));
+        if (std::ranges::find(names, robot) == names.end()) names.push_back(robot);
+    }
+    return names;
+}
+
+std::string choose_robot(ControlClient& client, const std::string& wanted) {
+    const auto names = robots(client);
+    if (std::ranges::find(names, wanted) != names.end()) return wanted;
+    if (wanted.empty() && names.size() == 1) return names.front();
+    if (names.empty() && !wanted.empty()) return wanted;
+    if (names.empty()) throw ControlError(0, "scipd has no robot with a sensor: name one");
+    throw ControlError(
+        0, wanted.empty()
+               ? "there are several robots; name one of " + sim::listed(names)
+               : "there is no robot \"" + wanted + "\"; there are: " + sim::listed(names));
+}
+
+std::string pose_path(const std::string& robot) {
+    return "/robots/" + path_segment(robot) + "/pose";
+}
+
+std::string joined(const Json& names) {
+    return names.empty() ? "-" : sim::listed(names.get<std::vector<std::string>>());
 }
 
 }  // namespace scipd::tools
