@@ -55,8 +55,7 @@ void add_options(CLI::App& app, OptionValues& said);
 /// The option that reads this file, followed by the file; empty if it is not there or of no use.
 [[nodiscard]] std::string option_for(const std::string& file);
 
-/// Text to use instead of a word that scipd does not know: a file without its option, or an option
-/// as other programs name it. Empty: none.
+/// Text to use instead of a word that scipd does not know; empty: none.
 [[nodiscard]] std::string replacement_for(const std::string& word);
 
 }  // namespace scipd::daemon

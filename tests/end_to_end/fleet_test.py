@@ -180,7 +180,7 @@ def scipctl_speaks_to_all(lab, scipctl, west, north):
     assert fleet("pose", "stream", text=lines).returncode == 0
     west.wait_to_see(2.75)
     refused = fleet("pose", "stream", text='{"xyz":[1,2,3]}\n')
-    assert refused.returncode != 0 and "line 1: robot: say which" in refused.stderr, refused
+    assert refused.returncode != 0 and "line 1: robot is missing" in refused.stderr, refused
     assert "is serving" in fleet("fleet", "forget", "west").stderr
     missing = fleet("fleet", "status", to=("--to", f"mqtt://127.0.0.1:{lab.broker.port + 1}/hall"))
     assert missing.returncode != 0 and "mqtt://127.0.0.1" in missing.stderr, missing

@@ -10,6 +10,7 @@
 
 #include "daemon/recording/scip_values.h"
 #include "protocol/client/error.h"
+#include "sim/text/quote.h"
 #include "tools/options.h"
 #include "tools/scipcat/read_clock.h"
 #include "tools/scipcat/recording_target.h"

@@ -52,8 +52,7 @@ TEST(GzMessage, RefusesWhatIsDamaged) {
     // A field that ends elsewhere than the message is damage; between two fields nobody can tell.
     EXPECT_FALSE(read_gz_message("gz.msgs.Pose_V", bytes.substr(0, bytes.size() - 1)));
     EXPECT_FALSE(read_gz_message("gz.msgs.Pose_V", "\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff"));
-    EXPECT_THAT(read_gz_message("gz.msgs.LaserScan", "").error().why,
-                HasSubstr("tells of no place"));
+    EXPECT_THAT(read_gz_message("gz.msgs.LaserScan", "").error().why, HasSubstr("holds no pose"));
     const std::string no_rotation = gz_within(2, "crate") + gz_numbers(5, {0.0, 0.0, 0.0, 0.0});
     EXPECT_THAT(read_gz_message("gz.msgs.Pose", no_rotation).error().why,
                 HasSubstr("pose of 'crate' must have a quaternion of length 1"));
