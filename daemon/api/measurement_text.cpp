@@ -133,13 +133,14 @@ float true_range_m(const sim::Scan& cast, std::size_t beam, const sim::Receiver&
     return cast.middle(beam).range_m;
 }
 
-/// Adds what the unit reads too far, where it has read something: the error of the true range.
+/// Adds the range bias of the unit at the true range. Null where no range was read, and where the
+/// beam met nothing: a fault or a recording may give such a beam a range.
 void add_bias(ObjectText& text, const ScanRecord& record) {
     const sim::Scan& cast = *record.cast;
     text.add_list("bias_m", cast.readings.size(), [&](std::string& list, std::size_t beam) {
         sim::Reading unread = cast.readings[beam];
         unread.range_m = true_range_m(cast, beam, record.optics->receiver);
-        const bool read = unread.cause == sim::Cause::measured;
+        const bool read = unread.cause == sim::Cause::measured && std::isfinite(unread.range_m);
         const double none = std::numeric_limits<double>::infinity();
         append_rounded(list, read ? sim::steady_error_m(*record.optics, unread) : none);
     });

@@ -85,6 +85,9 @@ ScanRecord Device::played(std::int64_t revolution, const Replay::Shown& shown) {
     const sim::Time start = device_clock_.world_time(timing_.start(revolution));
     sim::Scan scan = played_scan(taped, profile_, revolution, start, sweep_.pose_at(start));
     ScanRecord record{sweep_.measurement_of(nullptr, clock_.origin())};
+    record.backend = std::make_shared<const BackendChoice>(BackendChoice{
+        .backend = "recording",
+        .reason = "the scanner plays " + replay_->status(replay_turn(revolution)).file});
     record.sent = {.turn = {.start = start_of(revolution)},
                    .first_step = sweep_.optics().first_step,
                    .distance = std::move(taped.distance),

@@ -20,6 +20,8 @@ class Curve {
         double from_m;
         double rise;  ///< per metre
     };
+    /// Every comparison with NaN is false: no range, an infinite one included, lies beyond it.
+    static constexpr Piece end{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0, 0.0};
 
   public:
     /// `points` have an argument that grows (`at`, mostly range_m) and a value. None: it is 0.
@@ -36,7 +38,7 @@ class Curve {
                                            (points[i + 1].*at - points[i].*at);
             pieces_.push_back({points[i].*at, points[i].*value, points[i].*at, rise});
         }
-        pieces_.push_back({far_m, 0.0, 0.0, 0.0});
+        pieces_.push_back(end);
     }
 
     /// The deviation of noise at a range. None: the curve is 0.
@@ -46,7 +48,7 @@ class Curve {
         pieces_.push_back({-far_m, 0.0, 0.0, 0.0});
         for (const NoiseStep& step : noise)
             pieces_.push_back({step.from_range_m, step.sigma_m, 0.0, step.sigma_share});
-        pieces_.push_back({far_m, 0.0, 0.0, 0.0});
+        pieces_.push_back(end);
     }
 
     /// Remembers where it was asked last: neighbouring beams mostly lie between the same points,
@@ -55,7 +57,7 @@ class Curve {
       public:
         explicit Cursor(const Curve& curve) : piece_(curve.pieces_.data()) {}
 
-        /// For finite ranges.
+        /// Not finite where the range is not.
         [[nodiscard]] double at(double range_m) {
             while (range_m < piece_->begin_m)
                 --piece_;
@@ -71,7 +73,7 @@ class Curve {
     [[nodiscard]] double at(double range_m) const { return Cursor(*this).at(range_m); }
 
   private:
-    std::vector<Piece> pieces_;  ///< the last begins at infinity
+    std::vector<Piece> pieces_;  ///< the last is `end`
 };
 
 }  // namespace scipd::sim

@@ -72,7 +72,10 @@ Row row_of(const Json& truth, std::size_t i) {
 void print(const Json& truth, const TruthOptions& options) {
     std::cout << "scan " << truth.at("scan") << ", step 0 at " << number(truth.at("time_s"), "%.6f")
               << " s, stamp " << truth.at("stamp_ms") << " ms, " << truth.at("poses").size()
-              << " pose(s), accuracy " << name(truth.at("accuracy")) << "\n\n";
+              << " pose(s), accuracy " << name(truth.at("accuracy"));
+    if (truth.at("backend") == "recording")
+        std::cout << "\n" << name(truth.at("backend_reason")) << ": the truth is not known";
+    std::cout << "\n\n";
     Row head{"STEP", "TRUE m", "INCIDENCE rad", "MATERIAL", "OBJECT"};
     if (truth.contains("echoes")) head.emplace_back("ECHOES");
     if (truth.contains("bias_m")) head.emplace_back("BIAS m");

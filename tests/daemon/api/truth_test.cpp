@@ -181,6 +181,72 @@ TEST_F(TruthTest, HasTheBiasOfTheTrueRange) {
     }
 }
 
+// Step 0 looks behind, where there is nothing; a fault such as `dirty` gives it a range all the same.
+TEST_F(TruthTest, HasNoBiasWhereABeamMetNothing) {
+    for (const auto accuracy : {sim::Accuracy::sensor, sim::Accuracy::material}) {
+        SensorConfig config = ideal_sensor();
+        config.accuracy = accuracy;
+        config.model.own_bias = true;
+        config.model.optics.bias = {{0.0, 0.0}, {10.0, 1.0}};
+        Device device{"robot", config, 1, world_, clock_};
+        client_ = device.connect([] {}, protocol::LinkKind::network);
+        client_->receive("MD0540054000000\n");
+        const std::int64_t revolution = device.next_revolution();
+        clock_.advance_to(device.leaves(revolution));
+        device.turn_complete(revolution);
+        ScanRecord record = *device.log().latest();
+        sim::Scan scan = *record.cast;
+        for (const float signal : {0.0F, 0.5F}) {
+            scan.readings[0] = {.range_m = 2.0F, .signal = signal, .cause = sim::Cause::measured};
+            record.cast = std::make_shared<const sim::Scan>(scan);
+            const json said = json::parse(truth_text("robot/scanner", record));
+            EXPECT_EQ(said["true_m"][0], nullptr);
+            EXPECT_EQ(said["bias_m"][0], nullptr) << said["bias_m"][0];
+            EXPECT_EQ(said["read_m"][0], 2.0);
+            EXPECT_EQ(said["cause"][0], "measured");
+            EXPECT_TRUE(said["bias_m"][540].is_number());
+        }
+        client_.reset();  // before its device
+    }
+}
+
+// A scanner plays what it is given: step 0 has a range of 2 m, all others are without an echo.
+TEST_F(TruthTest, IsUnknownWhereTheScannerPlaysARecording) {
+    for (const auto accuracy :
+         {sim::Accuracy::ideal, sim::Accuracy::sensor, sim::Accuracy::material}) {
+        SensorConfig config = ideal_sensor();
+        config.accuracy = accuracy;
+        config.model.own_bias = true;
+        config.model.optics.bias = {{0.0, 0.0}, {10.0, 1.0}};
+        Device device{"robot", config, 1, world_, clock_};
+        const auto tape = std::make_shared<Tape>(1081, false);
+        TapedScan taped{.distance = std::vector<std::uint32_t>(1081, 65533),
+                        .intensity = std::vector<std::uint32_t>(1081, 0),
+                        .echoes = {}};
+        taped.distance[0] = 2000;
+        taped.intensity[0] = 321;
+        tape->add(taped, 7, {});
+        tape->end(25ms);
+        device.play(tape, {.file = "/home/lap.mcap"});
+        client_ = device.connect([] {}, protocol::LinkKind::network);
+        client_->receive("MD0000108000000\n");
+        const std::int64_t revolution = device.next_revolution();
+        clock_.advance_to(device.leaves(revolution));
+        device.turn_complete(revolution);
+        const json said = json::parse(truth_text("robot/scanner", *device.log().latest()));
+        EXPECT_EQ(said["backend"], "recording");
+        EXPECT_THAT(std::string(said["backend_reason"]), HasSubstr("plays /home/lap.mcap"));
+        EXPECT_EQ(said["sent_mm"], json(taped.distance));
+        EXPECT_EQ(said["intensity"], json(taped.intensity));
+        EXPECT_EQ(said["read_m"][0], 2.0);
+        for (const char* list : {"true_m", "object", "material", "incidence_rad"})
+            EXPECT_EQ(said[list], json(std::vector<json>(1081))) << list;
+        EXPECT_EQ(said.contains("bias_m"), accuracy != sim::Accuracy::ideal);
+        EXPECT_EQ(said.value("bias_m", said["true_m"]), said["true_m"]);
+        client_.reset();  // before its device
+    }
+}
+
 // From the origin to the left at 1 m/s.
 TEST_F(TruthTest, HasAPoseForEachFan) {
     (void)world_.place_robot("robot", {.time = 0s, .pose = {}});

@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "sim/sensor/sensor_spec.h"
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -49,6 +51,20 @@ TEST(SensorSpec, AddsTheFixedAndTheProportionalPart) {
 
 TEST(SensorSpec, HasNoNoiseByDefault) {
     EXPECT_EQ(wide().sigma_m(5.0), 0.0);
+}
+
+// A beam that meets nothing has an infinite range, of which no curve knows a value.
+TEST(SensorSpec, KnowsNoValueOfAnInfiniteRange) {
+    constexpr double far_m = std::numeric_limits<double>::infinity();
+    SensorSpec spec = wide();
+    EXPECT_FALSE(std::isfinite(spec.bias_m(far_m)));
+    spec.bias = {{1.0, 0.010}, {10.0, -0.010}};
+    spec.noise = {{0.0, 0.010, 0.0}, {10.0, 0.0, 0.01}};
+    for (const double range_m : {far_m, -far_m, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_FALSE(std::isfinite(spec.bias_m(range_m))) << range_m;
+        EXPECT_FALSE(std::isfinite(spec.sigma_m(range_m))) << range_m;
+    }
+    EXPECT_EQ(spec.bias_m(std::numeric_limits<double>::max()), -0.010);
 }
 
 TEST(BeamPattern, TurnsCounterClockwiseFromTheFirstStep) {
