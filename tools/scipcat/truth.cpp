@@ -22,9 +22,11 @@ using Json = ControlClient::Json;
 /// on all addresses has one that nobody connects to, so that the port must do.
 bool is_at(const Json& sensor, const Target& target) {
     if (const auto* const tty = std::get_if<TtyTarget>(&target)) {
+        // std::filesystem::equivalent() is false for any two devices in libstdc++.
         std::error_code none;
-        return sensor.at("pty").is_string() &&
-               std::filesystem::equivalent(tty->path, sensor["pty"].get<std::string>(), none);
+        const auto device = std::filesystem::canonical(tty->path, none);
+        return sensor.at("pty").is_string() && !device.empty() &&
+               device == std::filesystem::canonical(sensor["pty"].get<std::string>(), none);
     }
     return sensor.at("tcp").is_string() &&
            sensor["tcp"].get<std::string>().ends_with(":" + std::get<TcpTarget>(target).port);
