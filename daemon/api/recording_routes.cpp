@@ -29,7 +29,7 @@ std::optional<std::size_t> scans_in(const std::string& text) {
 
 HttpResponse response_of(const std::string& name, const std::string& ending,
                          sim::Expected<std::string> file) {
-    if (!file) return problem(500, file.error().why);
+    if (!file) return problem(409, file.error().why);
     return {.content_type = "application/octet-stream",
             .body = std::move(*file),
             .headers = {{"Content-Disposition", "attachment; filename=\"" + name + ending + '"'}}};

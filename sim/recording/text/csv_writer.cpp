@@ -57,7 +57,10 @@ class CsvWriter final : public RecordingWriter {
         if (!shape_) file_.write(head(scan));
         if (!shape_) shape_ = shape_of(scan);
         if (*shape_ != shape_of(scan))
-            throw std::invalid_argument("a CSV has room for scans of the same steps only");
+            throw std::invalid_argument(
+                "the scans differ in their steps, intensities or echoes, and the rows of a CSV "
+                "have "
+                "the same columns: ask for mcap, ubh or jsonl");
         file_.write(row(scan));
         file_.flush();
     }
