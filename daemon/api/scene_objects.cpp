@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "daemon/api/documents.h"
+#include "sim/export/placed_mesh.h"
 #include "sim/fnv1a.h"
 
 namespace scipd::daemon {
@@ -17,28 +18,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "pages read little-endian");
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12);
-
-/// How far what is drawn may lie from what is cast: nobody sees that.
-constexpr double drawn_tolerance_m = 1e-3;
-
-/// A shape that many objects share, and how it is stretched to become that of one.
-struct Stretched {
-    sim::Shape shape;
-    glm::dvec3 scale{1.0, 1.0, 1.0};
-};
-
-/// All boxes are one box. A cylinder's sides depend on its radius alone.
-struct Common {
-    Stretched operator()(const sim::Box& box) const { return {sim::Box{{1, 1, 1}}, box.size_m}; }
-    Stretched operator()(const sim::Cylinder& c) const {
-        return {sim::Cylinder{c.radius_m, 1.0}, {1.0, 1.0, c.length_m}};
-    }
-    Stretched operator()(const sim::Plane& plane) const {
-        return {sim::Plane{{1, 1}}, {plane.size_m.x, plane.size_m.y, 1.0}};
-    }
-    Stretched operator()(const sim::Sphere& sphere) const { return {sphere}; }
-    Stretched operator()(const sim::SharedMesh& mesh) const { return {mesh}; }
-};
 
 template <class Element>
 std::string_view bytes_of(const std::vector<Element>& list) {
@@ -60,7 +39,7 @@ std::string encoded(const sim::Mesh& mesh) {
 
 std::string encoded(const sim::Shape& shape) {
     if (const auto* const mesh = std::get_if<sim::SharedMesh>(&shape)) return encoded(**mesh);
-    return encoded(sim::tessellate(shape, drawn_tolerance_m));
+    return encoded(sim::tessellate(shape, sim::export_tolerance_m));
 }
 
 std::string hash_of(std::string_view bytes) {
@@ -119,7 +98,7 @@ SceneObjects::SceneObjects(const sim::SharedScene& scene) : scene_(scene) {
     Hashes hashes;
     texts_.reserve(scene->objects.size());
     for (sim::ObjectId id = 0; id < scene->objects.size(); ++id) {
-        const auto [shape, scale] = std::visit(Common{}, scene->objects[id].shape);
+        const auto [shape, scale] = sim::stretched(scene->objects[id].shape);
         const std::string& hash = hashes.of(shape);
         hashes_.push_back(&with_hash_.emplace(hash, id).first->first);
         texts_.push_back(told_of(*scene, id, hash, scale));
@@ -130,7 +109,7 @@ std::optional<std::string> SceneObjects::triangles(std::string_view hash) const 
     const auto found = with_hash_.find(hash);
     const sim::SharedScene scene = scene_.lock();
     if (found == with_hash_.end() || !scene) return std::nullopt;
-    return encoded(std::visit(Common{}, scene->objects[found->second].shape).shape);
+    return encoded(sim::stretched(scene->objects[found->second].shape).shape);
 }
 
 }  // namespace scipd::daemon

@@ -88,11 +88,16 @@ Slice slice_of(const std::vector<PlacedMesh>& meshes, const FloorMapOptions& opt
     return slice;
 }
 
+/// Marks of a cell: a face passes between its middle and that of the next cell along x, or along y;
+/// it is occupied for a face of the cell before it.
+enum Mark : std::uint8_t { cut_off_in_x = 1, cut_off_in_y = 2, pinned = 4 };
+using Marks = std::vector<std::uint8_t>;
+
 class Grid {
   public:
     Grid(const Span& span, double resolution_m) : resolution_m_(resolution_m) {
-        first_ = cell_of({span.low_m.x, span.low_m.y}) - glm::dvec2{1.0};
-        size_ = cell_of({span.high_m.x, span.high_m.y}) - first_ + glm::dvec2{2.0};
+        first_ = glm::floor(in_cells(span.low_m)) - 1.0;
+        size_ = glm::floor(in_cells(span.high_m)) + 2.0;
     }
 
     [[nodiscard]] double cells() const { return size_.x * size_.y; }
@@ -102,38 +107,56 @@ class Grid {
         map.cells.resize(map.columns * map.rows, MapCell::unknown);
         return map;
     }
-    /// Where a place is in the cells of the map.
+    /// Index of the cell that holds a place.
     [[nodiscard]] std::size_t index_of(const glm::dvec2& at_m) const {
-        const glm::dvec2 cell = cell_of(at_m) - first_;
-        return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(size_.x) +
-               static_cast<std::size_t>(cell.x);
+        return index(in_cells(at_m));
     }
 
-    /// All cells that it passes through: row by row, since what is convex is one piece in each.
-    void fill(const Polygon& face, FloorMap& map) const {
+    /// Occupies all cells that the face passes through, row by row, since a convex face is one
+    /// piece in each; and marks the cells whose middles it separates.
+    void fill(Polygon face, FloorMap& map, Marks& marks) const {
         Span span;
-        span.include(face);
-        const double last = cell_of({0.0, span.high_m.y}).y;
-        for (double row = cell_of({0.0, span.low_m.y}).y; row <= last; ++row) {
+        for (glm::dvec3& point : face)
+            span.include(point = {in_cells(point), point.z});
+        for (double row = std::floor(span.low_m.y); row <= span.high_m.y; ++row) {
             Span in_row;
-            in_row.include(
-                cut(cut(face, 1, row * resolution_m_, 1.0), 1, (row + 1.0) * resolution_m_, -1.0));
+            in_row.include(cut(cut(face, 1, row, 1.0), 1, row + 1.0, -1.0));
             if (in_row.is_empty()) continue;
-            const double y_m = (row + 0.5) * resolution_m_;
-            const auto begin = index_of({in_row.low_m.x, y_m});
-            const auto end = index_of({in_row.high_m.x, y_m}) + 1;
-            std::fill(map.cells.begin() + static_cast<std::ptrdiff_t>(begin),
-                      map.cells.begin() + static_cast<std::ptrdiff_t>(end), MapCell::occupied);
+            const auto begin = static_cast<std::ptrdiff_t>(index({in_row.low_m.x, row}));
+            const auto end = static_cast<std::ptrdiff_t>(index({in_row.high_m.x, row})) + 1;
+            std::fill(map.cells.begin() + begin, map.cells.begin() + end, MapCell::occupied);
         }
+        separate(face, span, 0, cut_off_in_x, marks);
+        separate(face, span, 1, cut_off_in_y, marks);
     }
 
   private:
-    [[nodiscard]] glm::dvec2 cell_of(const glm::dvec2& at_m) const {
-        return glm::floor(at_m / resolution_m_);
+    /// From the lower left corner of the map. Vertices of meshes are in single precision: what lies
+    /// just before the border of a cell is meant to be on it.
+    [[nodiscard]] glm::dvec2 in_cells(const glm::dvec2& at_m) const {
+        constexpr double nearly = 1e-3;
+        return at_m / resolution_m_ + nearly - first_;
+    }
+    [[nodiscard]] std::size_t index(const glm::dvec2& cell) const {
+        return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(size_.x) +
+               static_cast<std::size_t>(cell.x);
+    }
+    /// Follows the lines through the middles of cells along one axis.
+    void separate(const Polygon& face, const Span& span, int along, Mark mark, Marks& marks) const {
+        const int across = 1 - along;
+        for (double line = std::ceil(span.low_m[across] - 0.5) + 0.5; line <= span.high_m[across];
+             ++line) {
+            Span met;
+            met.include(cut(cut(face, across, line, 1.0), across, line, -1.0));
+            glm::dvec2 middle{line};
+            middle[along] = std::floor(met.low_m[along] - 0.5) + 0.5;
+            for (; middle[along] <= met.high_m[along]; ++middle[along])
+                marks[index(middle)] |= mark;
+        }
     }
 
     double resolution_m_;
-    glm::dvec2 first_{0.0};
+    glm::dvec2 first_{0.0};  ///< cell of the map, counted from the origin of the world
     glm::dvec2 size_{0.0};
 };
 
@@ -152,6 +175,63 @@ void free_from(std::size_t start, FloorMap& map) {
         if (at + map.columns < map.cells.size()) open.push_back(at + map.columns);
     }
 }
+
+/// Frees cells whose middle lies before the faces in them, as seen from what is free, and occupies
+/// the cells behind. A wall then begins half a cell before its face to half a cell behind it, and
+/// on the average at its face.
+class Rounding {
+  public:
+    Rounding(FloorMap& map, Marks& marks) : map_(map), marks_(marks) {}
+
+    void round_all() {
+        std::vector<std::size_t> open;
+        for (std::size_t first = 0; first < map_.cells.size(); ++first) {
+            for (open.assign(1, first); !open.empty();) {
+                const std::size_t at = open.back();
+                open.pop_back();
+                if (map_.cells[at] != MapCell::occupied || !make_free(at)) continue;
+                open.insert(open.end(), {at - 1, at + 1, at - map_.columns, at + map_.columns});
+            }
+        }
+    }
+
+  private:
+    /// The cell stays occupied where no free middle is seen from its own, where another cell would
+    /// have to be free with it, and where no cell behind can take its faces.
+    bool make_free(std::size_t at) {
+        if ((marks_[at] & pinned) != 0) return false;
+        const std::size_t columns = map_.columns;
+        bool seen = false;
+        std::vector<std::size_t> behind;
+        const auto look = [&](std::size_t next, bool cut_off) {
+            if (cut_off) behind.push_back(next);
+            seen = seen || (!cut_off && map_.cells[next] == MapCell::free);
+            return map_.cells[next] != (cut_off ? MapCell::free : MapCell::unknown);
+        };
+        const bool fits = look(at - 1, (marks_[at - 1] & cut_off_in_x) != 0) &&
+                          look(at + 1, (marks_[at] & cut_off_in_x) != 0) &&
+                          look(at - columns, (marks_[at - columns] & cut_off_in_y) != 0) &&
+                          look(at + columns, (marks_[at] & cut_off_in_y) != 0);
+        if (!fits || !seen) return false;
+        const bool is_corner = behind.empty();  // or a thing that is smaller than a cell
+        for (const std::size_t next :
+             {at - columns - 1, at - columns + 1, at + columns - 1, at + columns + 1}) {
+            // No ray slips through between cells that touch at a corner.
+            const bool closes = !is_corner && map_.cells[next] == MapCell::unknown;
+            const bool stands_for_it = is_corner && map_.cells[next] != MapCell::free;
+            if (closes || stands_for_it) behind.push_back(next);
+        }
+        for (const std::size_t next : behind) {
+            map_.cells[next] = MapCell::occupied;
+            marks_[next] |= pinned;
+        }
+        if (!behind.empty()) map_.cells[at] = MapCell::free;
+        return !behind.empty();
+    }
+
+    FloorMap& map_;
+    Marks& marks_;
+};
 
 }  // namespace
 
@@ -176,10 +256,12 @@ Expected<FloorMap> floor_map(const std::vector<PlacedMesh>& meshes,
                       short_text(grid.cells()) + " cells, and 1e8 are allowed: take larger ones");
     }
     FloorMap map = grid.empty_map();
+    Marks marks(map.cells.size());
     for (const Polygon& face : slice.faces)
-        grid.fill(face, map);
+        grid.fill(face, map, marks);
     for (const glm::dvec2& robot_m : options.robots_m)
         free_from(grid.index_of(robot_m), map);
+    Rounding(map, marks).round_all();
     map.is_closed = std::ranges::find(map.cells, MapCell::free) != map.cells.end();
     if (!map.is_closed) std::ranges::replace(map.cells, MapCell::unknown, MapCell::free);
     return map;

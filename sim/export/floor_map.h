@@ -27,10 +27,12 @@ struct FloorMapOptions {
 
 enum class MapCell : std::uint8_t { unknown, free, occupied };
 
-/// A cell is occupied if a face passes through it: the face is at most half a cell from its middle,
-/// along x and along y. It is free if a point that keeps off occupied cells gets there from a
-/// robot. All else is unknown, such as the inside of a wall. Where every robot stands in an
-/// occupied cell, nobody knows what is inside of what: then all that is not occupied is free.
+/// A cell is free if a point that keeps off faces gets to its middle from a robot, through free
+/// cells. It is occupied if a face passes through it or lies before it in a cell that is free: seen
+/// from what is free, a wall begins at the border of cells that is next to its face. A face that is
+/// free on both sides has one cell. All else is unknown, such as the inside of a wall. Where every
+/// robot stands in a cell with a face, inside and outside are not known: then all cells without a
+/// face are free.
 struct FloorMap {
     glm::dvec2 origin_m{0.0};  ///< the lower left corner of the first cell, in the world
     double resolution_m = 0.0;

@@ -31,6 +31,14 @@ struct PlacedMesh {
 /// How far the triangles of round shapes may lie from them.
 inline constexpr double export_tolerance_m = 1e-3;
 
+/// A shape that many objects share, and how it is stretched to become that of one: all boxes are
+/// one box. A cylinder's sides depend on its radius alone.
+struct Stretched {
+    Shape shape;
+    glm::dvec3 scale{1.0};
+};
+Stretched stretched(const Shape& shape);
+
 /// All objects of the scene, with its models at load.
 std::vector<PlacedMesh> placed_meshes(const Scene& scene);
 

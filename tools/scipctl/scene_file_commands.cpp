@@ -75,9 +75,9 @@ void add_scene_file_commands(CLI::App& scene, const ControlOptions& control) {
         ->capture_default_str();
     map->callback([&control, options] { write_map(control, *options); });
     map->footer(
-        "Everything is where it is now, without the bodies of robots. A cell is occupied if a "
-        "face\n"
-        "passes through it, free if a robot could get there, and else unknown.\n"
+        "Everything is where it is now, without the bodies of robots. A cell is free if a robot "
+        "could\n"
+        "get to its middle, occupied if a face is before it, and else unknown.\n"
         "Example: scipctl scene map -o hall.yaml --z 0.17 --resolution 0.05");
 
     auto* const glb = scene.add_subcommand("export", "write the world as one glTF file (GLB)");
