@@ -99,8 +99,11 @@ RobotConfig Reader::read_robot(const sim::YamlField& field, SensorContext& conte
     }
     for (const sim::YamlField& sensor : fields)
         robot.sensors.push_back(read_sensor(sensor, context));
-    if (const sim::YamlField* poses = section.find("poses"))
+    if (const sim::YamlField* poses = section.find("poses")) {
         read_poses(*poses, robot, base_, claims_, faults_);
+        if (poses->value.IsMap() && poses->value["after"])
+            places_[poses->path + ".after"] = faults_.place(poses->line, poses->path);
+    }
     if (robot.poses && robot.poses->kind == PoseSource::Kind::vda5050)
         needs_fleet_ = *section.find("poses");
     return robot;

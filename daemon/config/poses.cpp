@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/config/poses.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -160,6 +161,18 @@ void read_poses(const sim::YamlField& field, RobotConfig& robot, const std::file
     PoseSource unknown;
     read_of_trajectory(*section, base, robot.poses ? *robot.poses : unknown);
     refuse_of_live_poses(*section, robot, faults);
+}
+
+// Standard input may be a recording that another program sends at once.
+sim::PosePolicy pose_policy(const Config& config, const RobotConfig& robot) {
+    using Kind = PoseSource::Kind;
+    constexpr std::array live{Kind::udp, Kind::gz, Kind::ros2, Kind::rosbridge};
+    sim::PosePolicy policy = robot.policy;
+    const bool is_said = config.places.contains("robots." + robot.name + ".poses.after");
+    if (!is_said && config.clock == ClockKind::wall && robot.poses &&
+        std::ranges::find(live, robot.poses->kind) != live.end())
+        policy.after = After::extrapolate;
+    return policy;
 }
 
 }  // namespace scipd::daemon

@@ -15,7 +15,6 @@
 #include "daemon/bridges/bus.h"
 #include "daemon/limits/rate.h"
 #include "daemon/limits/throttle.h"
-#include "daemon/poses/arrivals.h"
 #include "daemon/poses/handover.h"
 #include "daemon/poses/heard_meaning.h"
 #include "daemon/poses/pose_feed.h"
@@ -91,7 +90,10 @@ class BusFeed : public PoseFeed, public std::enable_shared_from_this<BusFeed> {
             for (const sim::PoseLine& line : said.lines)
                 place(line);
         }
-        if (is_news) arrivals_.note(std::chrono::steady_clock::now(), sender_.last_lateness());
+        if (!is_news) return;
+        const auto now = std::chrono::steady_clock::now();
+        arrivals_.note(now, sender_.last_lateness());
+        if (context_.lockstep == nullptr) arrivals_.log(now, robot(), needs());
     }
 
     void take(const Handover::Refusal& refusal) {

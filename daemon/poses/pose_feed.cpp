@@ -21,7 +21,6 @@
 
 #include "daemon/limits/rate.h"
 #include "daemon/limits/throttle.h"
-#include "daemon/poses/arrivals.h"
 #include "daemon/poses/sender_rates.h"
 #include "daemon/poses/some_lines.h"
 #include "sim/loaders/poses/pose_line.h"
@@ -36,9 +35,9 @@ namespace {
 /// Hands lines from anywhere to the intake, and tells a person of refusals, but not of every one.
 class LineSink {
   public:
-    /// `robot` is a member of the feed and may change.
-    LineSink(FeedContext context, const std::string& robot)
-        : context_(std::move(context)), robot_(robot) {}
+    /// `robot` and `needs` are members of the feed and may change.
+    LineSink(FeedContext context, const std::string& robot, const PoseNeeds& needs)
+        : context_(std::move(context)), robot_(robot), needs_(needs) {}
 
     /// From now on the time in lockstep waits for these poses.
     void begin() {
@@ -68,7 +67,9 @@ class LineSink {
     void take(std::string_view line) {
         if (sim::says_nothing(line) || !context_.intake.admit(*rate_)) return;
         const auto taken = context_.intake.take_line(line, robot_, sender_, context_.clock.now());
-        arrivals_.note(std::chrono::steady_clock::now(), sender_.last_lateness());
+        const auto now = std::chrono::steady_clock::now();
+        arrivals_.note(now, sender_.last_lateness());
+        if (context_.lockstep == nullptr) arrivals_.log(now, robot_, needs_);
         if (taken) return;
         arrivals_.note_refused();
         tell(taken.error().why);
@@ -95,6 +96,7 @@ class LineSink {
 
     FeedContext context_;
     const std::string& robot_;
+    const PoseNeeds& needs_;
     SenderClock sender_;
     Rate only_rate_;
     Rate* rate_ = &only_rate_;
@@ -112,7 +114,7 @@ bool is_regular_file(int descriptor) {
 class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
   public:
     UdpFeed(const FeedContext& context, const Address& address)
-        : sink_(context, robot()), socket_(context.executor) {
+        : sink_(context, robot(), needs()), socket_(context.executor) {
         try {
             const asio::ip::udp::endpoint endpoint(asio::ip::make_address(address.host),
                                                    address.port);
@@ -173,7 +175,7 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
 class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<StandardInputFeed> {
   public:
     explicit StandardInputFeed(const FeedContext& context)
-        : sink_(context, robot()), input_(context.executor) {
+        : sink_(context, robot(), needs()), input_(context.executor) {
         // All poses of a file would come at once, more than are kept. In lockstep they are read as
         // time goes on.
         if (context.lockstep == nullptr && is_regular_file(STDIN_FILENO))

@@ -16,6 +16,7 @@
 
 #include "daemon/clock/clock.h"
 #include "daemon/config/config.h"
+#include "daemon/poses/arrivals.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
 #include "daemon/poses/read_trajectory.h"
@@ -32,8 +33,9 @@ class PoseFeed {
     virtual ~PoseFeed() = default;
 
     /// Poses come from now on, for this robot; called again, for another one.
-    void serve(const std::string& robot) {
+    void serve(const std::string& robot, const PoseNeeds& needs = {}) {
         robot_ = robot;
+        needs_ = needs;
         if (!std::exchange(begun_, true)) begin();
     }
     virtual void stop() = 0;
@@ -46,11 +48,13 @@ class PoseFeed {
 
   protected:
     [[nodiscard]] const std::string& robot() const { return robot_; }
+    [[nodiscard]] const PoseNeeds& needs() const { return needs_; }
 
   private:
     virtual void begin() = 0;
 
     std::string robot_;
+    PoseNeeds needs_;
     bool begun_ = false;
 };
 

@@ -10,6 +10,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "daemon/config/poses.h"
 #include "daemon/faults/fault_injector.h"
 #include "daemon/link/port.h"
 #include "daemon/plan/load_world.h"
@@ -37,6 +38,16 @@ void name_topic(PoseSource& source, const RigPlan& plan) {
     if (!plan.loaded.scene || plan.loaded.scene->name.empty())
         throw std::runtime_error("poses from gz: need a world that has a name; say gz:/TOPIC");
     source.topic = "/world/" + plan.loaded.scene->name + "/dynamic_pose/info";
+}
+
+PoseNeeds pose_needs(const Config& config, const RobotConfig& robot) {
+    PoseNeeds needs{.policy = pose_policy(config, robot)};
+    for (const SensorConfig& sensor : robot.sensors) {
+        if (sensor.staring || sensor.replay) continue;
+        needs.wait = sensor.wait_for_poses;
+        needs.sweep = std::min<sim::Time>(needs.sweep, sensor.model.profile.scan_period);
+    }
+    return needs;
 }
 
 /// Those that the configuration still has.
@@ -80,6 +91,7 @@ struct Rig::Feed {
     std::string robot;
     PoseSource source;
     std::shared_ptr<PoseFeed> feed;
+    PoseNeeds needs;
 };
 
 Rig::Rig(const boost::asio::any_io_executor& executor, ClockKind clock, const HandedSockets* handed,
@@ -143,7 +155,7 @@ void Rig::replace_world(RigPlan& plan) noexcept {
                                        simulation.clock.now() - plan.scripts_age)));
     std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : plan.config.robots)
-        robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};
+        robots[robot.name] = {robot.world_from_robot, pose_policy(plan.config, robot), robot.body};
     simulation.world.set_robots(robots);
 }
 
@@ -197,16 +209,17 @@ Rig::Feeds Rig::open_feeds(const RigPlan& plan) {
         // Vehicles come by the broker of the world that is shared.
         if (!robot.poses || robot.poses->kind == PoseSource::Kind::vda5050) continue;
         name_topic(*robot.poses, plan);
+        const PoseNeeds needs = pose_needs(plan.config, robot);
         const auto open = std::ranges::find_if(
             feeds_, [&](const Feed& feed) { return can_serve(feed.robot, feed.source, robot); });
         if (open != feeds_.end()) {
-            feeds.push_back({robot.name, *robot.poses, open->feed});
+            feeds.push_back({robot.name, *robot.poses, open->feed, needs});
             continue;
         }
         const auto read = plan.trajectories.poses.find(robot.name);
         const bool plays = read != plan.trajectories.poses.end();
         feeds.push_back({robot.name, *robot.poses,
-                         make_feed(context, *robot.poses, plays ? read->second : nullptr)});
+                         make_feed(context, *robot.poses, plays ? read->second : nullptr), needs});
     }
     return feeds;
 }
@@ -287,7 +300,7 @@ void Rig::replace_feeds(Feeds feeds) noexcept {
     std::set<std::string> sources;
     for (const Feed& feed : feeds) {
         feed.feed->move_models(sources.insert(text_of(feed.source)).second);
-        feed.feed->serve(feed.robot);
+        feed.feed->serve(feed.robot, feed.needs);
         simulation_->feeds.push_back(feed.feed);
     }
     feeds_ = std::move(feeds);

@@ -2,19 +2,18 @@
 // Copyright The scipd authors
 #include "daemon/world/movers.h"
 
+#include <chrono>
 #include <cstddef>
+
+#include <glm/geometric.hpp>
 
 namespace scipd::daemon {
 namespace {
 
-// What goes on after its last pose may be anywhere.
-Whereabouts whereabouts_of(const MovableModel& model) {
-    using After = sim::PosePolicy::After;
-    const bool goes_on =
-        model.carrier != nullptr && model.carrier->start.policy.after == After::extrapolate;
-    if (model.follows_script() || goes_on) return {};
+Whereabouts whereabouts_of(const MovableModel& model, double goes_on_m) {
+    if (model.follows_script()) return {};
     const sim::PoseTrack& path = model.path();
-    return {{path.last().translation_m, model.radius_m}, path.last_time()};
+    return {{path.last().translation_m, model.radius_m + goes_on_m}, path.last_time()};
 }
 
 sim::Mover mover_of(MovableModel& model, sim::Time from, sim::Time to) {
@@ -24,18 +23,26 @@ sim::Mover mover_of(MovableModel& model, sim::Time from, sim::Time to) {
 
 }  // namespace
 
+double Movers::goes_on_m(const MovableModel& model) {
+    if (model.follows_script()) return 0.0;
+    const sim::PoseTrack::Stretch last = model.path().stretch(model.path().last_time());
+    const double speed_mps = glm::length(last.velocity.linear_mps);
+    if (speed_mps == 0.0) return 0.0;
+    return speed_mps * std::chrono::duration<double>(last.end - last.begin).count();
+}
+
 void Movers::view(Models& models) {
     models_.clear();
     whereabouts_.clear();
     for (auto& [name, model] : models) {
         model.place = models_.size();
         models_.push_back(&model);
-        whereabouts_.push_back(whereabouts_of(model));
+        whereabouts_.push_back(whereabouts_of(model, goes_on_m(model)));
     }
 }
 
 void Movers::leaves_script(const MovableModel& model) {
-    whereabouts_[model.place] = whereabouts_of(model);
+    whereabouts_[model.place] = whereabouts_of(model, goes_on_m(model));
 }
 
 std::vector<sim::Mover> Movers::all(sim::Time from, sim::Time to, sim::ModelId except) const {

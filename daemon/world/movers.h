@@ -23,7 +23,7 @@ class Movers {
     void view(Models& models);
     /// A pose has come for the model, which was where it was before until `left`.
     void goes_to(const MovableModel& model, const sim::Pose& pose, sim::Time left) {
-        whereabouts_[model.place].goes_to(pose.translation_m, left);
+        whereabouts_[model.place].goes_to(pose.translation_m, left, goes_on_m(model));
     }
     /// It moves by poses now, and by its script before.
     void leaves_script(const MovableModel& model);
@@ -38,6 +38,9 @@ class Movers {
                                                  sim::ModelId except) const;
 
   private:
+    /// How far it goes after its last pose.
+    [[nodiscard]] static double goes_on_m(const MovableModel& model);
+
     std::vector<MovableModel*> models_;
     std::vector<Whereabouts> whereabouts_;  ///< side by side, since each sweep looks at all
 };

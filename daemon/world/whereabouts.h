@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -27,15 +28,17 @@ class Whereabouts {
     Whereabouts(const Ball& ball, sim::Time since)
         : at_m_(ball.middle_m), radius_m_(ball.radius_m), last_m_(at_m_), since_(since) {}
 
-    /// It went straight there, or jumped. It was where it was before until `left`.
-    void goes_to(const glm::dvec3& to_m, sim::Time left) {
+    /// It went straight there, or jumped, and goes on by up to `on_m`. It was where it was before
+    /// until `left`, or went on from there.
+    void goes_to(const glm::dvec3& to_m, sim::Time left, double on_m = 0.0) {
         constexpr double most_strays_m = 2.0;
-        const double strays_m = std::max(strays_m_, glm::distance(at_m_, to_m));
+        const double before_m = std::exchange(on_m_, on_m);
+        const double strays_m = std::max(strays_m_, glm::distance(at_m_, to_m) + on_m);
         if (strays_m <= most_strays_m) {
             strays_m_ = strays_m;
         } else if (since_ != unknown) {
             at_m_ = to_m;
-            strays_m_ = glm::distance(last_m_, to_m);
+            strays_m_ = std::max(glm::distance(last_m_, to_m) + before_m, on_m);
             since_ = left;
         }
         last_m_ = to_m;
@@ -54,6 +57,7 @@ class Whereabouts {
     glm::dvec3 at_m_{0.0};
     double radius_m_ = 0.0;
     double strays_m_ = 0.0;
+    double on_m_ = 0.0;  ///< from where it went last
     glm::dvec3 last_m_{0.0};
     sim::Time since_ = unknown;
 };

@@ -19,6 +19,10 @@ using Seconds = std::chrono::duration<double>;
 /// The shortest time there is: what changes within it is a jump.
 constexpr Time instant{1};
 
+/// Poses of a velocity are this far apart, where there are such: the moments at which closer ones
+/// arrive say little.
+constexpr Time longest_step = std::chrono::milliseconds(50);
+
 }  // namespace
 
 PoseTrack::PoseTrack(const Pose& start, const PosePolicy& policy, std::size_t capacity)
@@ -47,7 +51,12 @@ bool PoseTrack::append(Time time, const Pose& pose) {
     if (!first_time_) {
         jump(time, pose);  // nobody knows when the start pose was left
     } else {
-        velocity_ = velocity_between(last(), pose, Seconds(time - last_time()).count());
+        auto before = std::prev(entries_.end());
+        while (before != entries_.begin() && time - before->time < longest_step &&
+               before->time - std::prev(before)->time > instant)
+            --before;
+        velocity_ = velocity_between(before->pose, pose, Seconds(time - before->time).count());
+        if (pose == last()) velocity_ = {};
         push(time, pose);
     }
     return true;

@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // A robot whose poses come late and five at a time, as from a simulator that is a step behind. With
-// wait_ms its scans are late but right. Without it they are on time but wrong.
+// wait_ms its scans are late but right. Without it they are on time but wrong, unless the robot goes
+// on as it moved, which is the default.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -12,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "tests/end_to_end/in_square_room.h"
 #include "tests/support/udp_sender.h"
@@ -40,13 +41,16 @@ struct Seen {
 class LatePoses : public testing::Test {
   protected:
     [[nodiscard]] Arguments waiting_for(int ms) const {
+        return with("after: hold, stale_s: 60, wait_ms: " + std::to_string(ms));
+    }
+
+    [[nodiscard]] Arguments with(const std::string& keys) const {
         return {"--config",
                 directory_.write("late.yaml",
                                  "scene: " + scene("square_room.sdf").string() +
                                      "\nrobots:\n  robot:\n    pose: {xyz: [-2, 0, 0]}\n"
                                      "    poses: {from: 'udp:127.0.0.1:" +
-                                     std::to_string(sender_.port()) +
-                                     "', stale_s: 60, wait_ms: " + std::to_string(ms) +
+                                     std::to_string(sender_.port()) + "', " + keys +
                                      "}\n    sensors:\n      scanner:\n        model: UST-10LX\n"
                                      "        mount: {xyz: [0, 0, 0.3]}\n"
                                      "        tcp: '127.0.0.1:0'\n        accuracy: ideal\n")};
@@ -80,9 +84,18 @@ class LatePoses : public testing::Test {
         return std::chrono::ceil<std::chrono::milliseconds>(worst);
     }
 
+    /// Odometry of the same drive, as often as it is usual; the robot stands at the end.
+    void drive_with_odometry(int period_ms) const {
+        const Steady::time_point begin = Steady::now();
+        for (int ms = 0; ms <= drive_ms + 10 * period_ms; ms += period_ms) {
+            std::this_thread::sleep_until(begin + std::chrono::milliseconds(ms));
+            sender_.send(line(ms));
+        }
+    }
+
     static std::string line(int ms) {
         return R"({"t":)" + std::to_string(1e-3 * ms) + R"(,"xyz":[)" +
-               std::to_string(-2 + 1e-3 * ms) + ",0,0]}\n";
+               std::to_string(-2 + 1e-3 * std::min(ms, drive_ms)) + ",0,0]}\n";
     }
 
     TempDir directory_;
@@ -90,11 +103,12 @@ class LatePoses : public testing::Test {
 };
 
 /// The largest difference between the way driven between two scans and the time between them.
-long worst_mm(const std::vector<Seen>& seen) {
+long worst_mm(const std::vector<Seen>& seen, unsigned margin_mm = 50) {
     long worst = 0;
     int pairs = 0;
     for (std::size_t i = 1; i < seen.size(); ++i) {
-        if (seen[i - 1].distance_mm > begins_mm - 50 || seen[i].distance_mm < ends_mm + 50)
+        if (seen[i - 1].distance_mm > begins_mm - margin_mm ||
+            seen[i].distance_mm < ends_mm + margin_mm)
             continue;
         const long passed_ms = static_cast<long>(seen[i].stamp_ms) - seen[i - 1].stamp_ms;
         const long driven_mm = static_cast<long>(seen[i - 1].distance_mm) - seen[i].distance_mm;
@@ -127,6 +141,26 @@ TEST_F(LatePoses, AreWaitedForUpToTheBound) {
         EXPECT_GE(status.at("lateness_ms").at("max").get<double>(), wait_ms - 1);
     }
     EXPECT_TRUE(in_time) << "this machine is too busy to be in time";
+}
+
+// At 10 Hz each pose is four scans old when the next one comes.
+TEST_F(LatePoses, OfOdometryAreNotNeededWhileTheRobotGoesOnAsItMoved) {
+    const DaemonProcess daemon(directory_, with("stale_s: 2"));
+    ScannerWire wire = ScannerWire::tcp(daemon.port());
+    ASSERT_EQ(wire.ask(stream_of_one_beam), "00");
+    std::jthread odometry([&] { drive_with_odometry(100); });
+    EXPECT_LE(worst_mm(watch(wire), 250), 2);
+    odometry.join();
+    EXPECT_THAT(daemon.standard_error(), testing::HasSubstr("poses of robot come "));
+    EXPECT_THAT(daemon.standard_error(), testing::Not(testing::HasSubstr("poses up to")));
+}
+
+TEST_F(LatePoses, OfOdometryAreToldToBeTooSeldomWhereTheRobotHolds) {
+    const DaemonProcess daemon(directory_, with("after: hold"));
+    drive_with_odometry(100);
+    EXPECT_TRUE(eventually([&] {
+        return daemon.standard_error().find("ms old; set wait_ms: 1") != std::string::npos;
+    }));
 }
 
 TEST_F(LatePoses, AreMissedWithoutWaiting) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/config/config_file.h"
+#include "daemon/config/poses.h"
 #include "daemon/config/world_options.h"
 #include "daemon/models/model_registry.h"
 #include "sim/world/pose.h"
@@ -194,6 +195,7 @@ robots:
                                             .after = sim::PosePolicy::After::extrapolate,
                                             .stale_after = std::chrono::milliseconds(250),
                                             .fastest_mps = 5.0}));
+    EXPECT_EQ(pose_policy(config, tank), tank.policy);
     EXPECT_EQ(tank.sensors[0].wait_for_poses, std::chrono::milliseconds(30));
     EXPECT_FALSE(tank.sensors[0].sees_body);
     EXPECT_TRUE(tank.sensors[1].sees_body);
@@ -204,6 +206,22 @@ robots:
     EXPECT_EQ(tram.poses->format, sim::TrajectoryFormat::kitti);
     EXPECT_EQ(tram.poses->times, dir_.path() / "walk.tum");
     EXPECT_EQ(tram.sensors[0].wait_for_poses, std::chrono::nanoseconds::zero());
+}
+
+TEST_F(ConfigTest, ExtrapolatesLivePosesOnTheWallClockUnlessItSaysOtherwise) {
+    using After = sim::PosePolicy::After;
+    const auto after = [&](const std::string& clock, const std::string& poses) {
+        const Config config = parse("clock: " + clock + "\nrobots:\n  tank:\n    poses: " + poses +
+                                    "\n    sensors:\n      a: {model: UST-10LX, pty: auto}\n");
+        return pose_policy(config, config.robots[0]).after;
+    };
+    EXPECT_EQ(after("wall", "udp:127.0.0.1:1"), After::extrapolate);
+    EXPECT_EQ(after("wall", "{from: 'ros2:/odom', stale_s: 1}"), After::extrapolate);
+    EXPECT_EQ(after("wall", "{from: udp:127.0.0.1:1, after: hold}"), After::hold);
+    EXPECT_EQ(after("wall", "{from: udp:127.0.0.1:1, after: none}"), After::absent);
+    EXPECT_EQ(after("poses", "udp:127.0.0.1:1"), After::hold);
+    EXPECT_EQ(after("wall", "'-'"), After::hold);
+    EXPECT_EQ(after("wall", "walk.tum"), After::hold);
 }
 
 TEST_F(ConfigTest, ReadsWhatAMapAndAnSdfLeaveOpen) {

@@ -257,6 +257,21 @@ TEST(PoseTrack, GoesOnAsItMovedUntilItIsStale) {
     EXPECT_TRUE(track.still(1400ms, 2s));
 }
 
+// The poses of a robot at 1 m/s come 20 ms apart, but for one that was held up until the next.
+TEST(PoseTrack, GoesOnAsItMovedThoughTwoPosesCameTogether) {
+    PoseTrack track(at_x(0), {.after = PosePolicy::After::extrapolate});
+    for (int i = 0; i < 10; ++i)
+        ASSERT_TRUE(track.place(1s + i * 20ms, at_x(0.02 * i)));
+    ASSERT_TRUE(track.place(1218ms, at_x(0.20)));
+    ASSERT_TRUE(track.place(1220ms, at_x(0.22)));
+    EXPECT_NEAR(x_of(track.at(1240ms)), 0.24, 0.002);
+    ASSERT_TRUE(track.place(1240ms, at_x(0.22)));
+    EXPECT_EQ(track.at(2s), at_x(0.22));  // it rests
+    ASSERT_TRUE(track.place(1250ms, at_x(5.0)));
+    ASSERT_TRUE(track.place(1260ms, at_x(5.01)));
+    EXPECT_NEAR(x_of(track.at(1270ms)), 5.02, 1e-9);  // only poses after a jump count
+}
+
 TEST(PoseTrack, GoesOnWithTheVelocityThatItIsTold) {
     PoseTrack track(at_x(0), {.after = PosePolicy::After::extrapolate, .stale_after = 10s});
     track.place(1s, at_x(1), Velocity{{0, 3, 0}, {0, 0, -2}});
