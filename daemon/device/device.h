@@ -97,6 +97,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
     /// Logs the clients of its ports. They must forget it before the device goes.
     [[nodiscard]] ClientWatch& client_watch() { return told_; }
+    /// From now on `clients`, which must outlive this, also counts the clients of this scanner.
+    void count_clients_in(std::atomic<int>& clients) { told_.count_in(clients); }
 
   private:
     class ServedClient;

@@ -43,6 +43,16 @@ const char* words(protocol::LinkKind from, Leaving why) {
 
 }  // namespace
 
+DeviceLog::~DeviceLog() {
+    log_suppressed();
+    count(-connected_);
+}
+
+void DeviceLog::count(int more) {
+    connected_ += more;
+    if (clients_ != nullptr) *clients_ += more;
+}
+
 void DeviceLog::booted(bool laser_on) {
     laser_on_ = laser_on;
     log("boots");
@@ -54,6 +64,7 @@ void DeviceLog::laser(bool on, By by) {
 }
 
 void DeviceLog::came(const std::string& from) {
+    count(1);
     log(from.empty() ? "client opened the tty" : "client connected from " + from);
 }
 
@@ -63,6 +74,7 @@ void DeviceLog::waits(const std::string& from, const std::string& served) {
 }
 
 void DeviceLog::left(protocol::LinkKind from, Leaving why) {
+    if (connected_ > 0) count(-1);  // a tty may have been open before
     log(std::string("client disconnected (") + words(from, why) + ")");
 }
 

@@ -6,6 +6,7 @@
 // the shard of the scanner.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <utility>
@@ -24,7 +25,10 @@ class DeviceLog : public ClientWatch {
     DeviceLog(std::string name, Clock& clock) : name_(std::move(name)), clock_(clock) {}
     DeviceLog(const DeviceLog&) = delete;
     DeviceLog& operator=(const DeviceLog&) = delete;
-    ~DeviceLog() override { log_suppressed(); }
+    ~DeviceLog() override;
+
+    /// See Device::count_clients_in().
+    void count_in(std::atomic<int>& clients) { clients_ = &clients; }
 
     /// It was so before anybody could ask.
     void know(bool laser_on) { laser_on_ = laser_on; }
@@ -38,11 +42,14 @@ class DeviceLog : public ClientWatch {
     void left(protocol::LinkKind from, Leaving why) override;
 
   private:
+    void count(int more);
     void log(const std::string& change);
     void log_suppressed();
 
     std::string name_;
     Clock& clock_;
+    std::atomic<int>* clients_ = nullptr;
+    int connected_ = 0;
     std::unique_ptr<Clock::Alarm> calm_;  ///< null: nothing has been suppressed yet
     Throttle throttle_{20};
     std::string latest_suppressed_;

@@ -170,6 +170,7 @@ void Rig::begin_world(RigPlan& plan) noexcept {
 }
 
 void Rig::stop() {
+    simulation_->chooser.stop();
     simulation_->worker.stop();
     simulation_->drawer.stop();
     simulation_->shards.still([&] {
@@ -240,6 +241,7 @@ std::vector<Station*> Rig::start(const RigPlan& plan, const Ports& ports) noexce
                                          .view = simulation.view,
                                          .wire = simulation.wire,
                                          .recordings = simulation.recordings,
+                                         .clients = simulation.clients,
                                          .lockstep = simulation.lockstep != nullptr,
                                          .tape = tape == plan.tapes.end() ? nullptr : tape->second};
             SensorPorts served = ports_of(ports, robot.name, sensor);

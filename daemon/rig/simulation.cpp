@@ -21,7 +21,7 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
                       : Shards(executor, world, wall_clock, shard_count)),
       editor(
           world, worker, clock, [this] { return requested_backends(); }, limits),
-      chooser(world, worker, [this] { return requested_backends(); }),
+      chooser(world, worker, wall_clock, clients, [this] { return requested_backends(); }),
       stream(limits, ways()),
       view(ways(), wall_clock, limits),
       wire(ways()),

@@ -6,6 +6,7 @@
 // the sensors with their ports live on shards, and are touched while the shards stand still.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -65,6 +66,7 @@ struct Simulation {
     PoseIntake intake{world, lockstep.get(), limits};
     std::vector<std::shared_ptr<const PoseFeed>> feeds;  ///< what brings it poses
     SceneEditor editor;
+    std::atomic<int> clients = 0;  ///< of all scanners, now
     BackendChooser chooser;
     PlaceWatch place_watch{world, worker};
     std::vector<std::unique_ptr<PlaceGlance>> place_glances;  ///< by shard

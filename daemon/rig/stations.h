@@ -5,6 +5,7 @@
 // lives on its shard; it is made, changed and looked at while that stands still.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -71,6 +72,7 @@ struct StationContext {
     ViewStream& view;
     WireStream& wire;
     Recordings& recordings;
+    std::atomic<int>& clients;  ///< of all scanners
     bool lockstep = false;
     SharedTape tape = nullptr;  ///< that it plays; null: it looks at the world
 };

@@ -3,14 +3,33 @@
 #include "daemon/world/backend_chooser.h"
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
 #include <spdlog/spdlog.h>
 
 namespace scipd::daemon {
+namespace {
+
+// A driver that is started together with scipd connects before the second look.
+constexpr auto look_every = std::chrono::milliseconds(500);
+constexpr int looks_without_client = 2;
+
+}  // namespace
 
 void BackendChooser::choose() {
-    if (!std::exchange(busy_, true)) step();
+    if (!std::exchange(busy_, true)) wait(looks_without_client);
+}
+
+void BackendChooser::wait(int looks) {
+    if (clients_ > 0) looks = looks_without_client;
+    if (looks == 0) return step();
+    alarm_->set(clock_.now() + look_every, [this, looks] { wait(looks - 1); });
+}
+
+void BackendChooser::put_off() {
+    end();
+    choose();
 }
 
 // Queues behind all that the worker has been asked for meanwhile.
@@ -19,6 +38,7 @@ void BackendChooser::step() {
 }
 
 Worker::Work BackendChooser::next() {
+    if (clients_ > 0) return [this] { return [this] { put_off(); }; };
     if (!measured_.maker || measured_.maker->scene() != world_.scene()) {
         end();
         busy_ = true;
@@ -39,10 +59,11 @@ Worker::Work BackendChooser::next() {
 }
 
 Worker::Work BackendChooser::measure(RequestedBackend request) {
-    return [this, maker = measured_.maker, request = std::move(request),
+    return [this, maker = measured_.maker, request = std::move(request), &clients = clients_,
             stopping = worker_.stopping()]() -> Worker::Finish {
-        const auto ended = [&] { return stopping.stop_requested(); };
+        const auto ended = [&] { return stopping.stop_requested() || clients > 0; };
         const SharedChoice choice = maker->measure(request, ended);
+        if (!choice) return [this] { put_off(); };
         return [this, maker, request, choice] {
             measured_.answers.push_back({request, choice});
             step();

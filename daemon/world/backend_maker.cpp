@@ -6,10 +6,13 @@
 #include <array>
 #include <cassert>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <glm/trigonometric.hpp>
@@ -31,6 +34,22 @@ const sim::BackendRow& row_of(std::string_view name) {
 
 std::string missing(const sim::BackendRow& row, const std::runtime_error& why) {
     return "no " + std::string(row.name) + ": " + why.what();
+}
+
+/// Most triangles that `auto` tries to draw. Drawing takes about 100 bytes of memory for each, and
+/// so many are ready within 0.2 s.
+constexpr double most_drawn = 1e6;
+
+/// About as many triangles as sim::tessellate() makes of a shape, which takes long.
+double drawn_triangles(const sim::Shape& shape) {
+    using std::numbers::pi;
+    const auto in_tolerances = [](double m) { return m / sim::chord_tolerance_m; };
+    if (const auto* mesh = std::get_if<sim::SharedMesh>(&shape))
+        return static_cast<double>((*mesh)->triangles.size());
+    if (const auto* sphere = std::get_if<sim::Sphere>(&shape))
+        return std::min(1e6, 0.5 * pi * pi * in_tolerances(sphere->radius_m));
+    const auto* cylinder = std::get_if<sim::Cylinder>(&shape);
+    return cylinder != nullptr ? 2.0 * pi * std::sqrt(in_tolerances(cylinder->radius_m)) : 12.0;
 }
 
 /// Roughly how much work the scene is for any backend.
@@ -89,7 +108,17 @@ void warm_up(sim::RangeBackend& backend, const RequestedBackend& request) {
 }  // namespace
 
 BackendMaker::BackendMaker(sim::SharedScene scene)
-    : scene_(std::move(scene)), faces_(faces_of(*scene_)) {}
+    : scene_(std::move(scene)), faces_(faces_of(*scene_)) {
+    for (const sim::Object& object : scene_->objects)
+        triangles_ += drawn_triangles(object.shape);
+}
+
+std::string BackendMaker::too_large(const sim::BackendRow& row) const {
+    if (!row.draws || triangles_ <= most_drawn) return {};
+    return "no " + std::string(row.name) + ": the world has about " +
+           std::to_string(std::llround(triangles_)) + " triangles to draw, and auto draws up to " +
+           std::to_string(std::llround(most_drawn));
+}
 
 bool BackendMaker::is_open(const RequestedBackend& request) const {
     if (request.backend || needs_rays(request)) return false;
@@ -106,23 +135,26 @@ SharedChoice BackendMaker::measure(const RequestedBackend& request,
                                    const std::function<bool()>& ended) {
     auto choice = std::make_shared<const BackendChoice>(fastest(request, ended));
     leave_thread();
-    return choice;
+    return ended && ended() ? nullptr : choice;
 }
 
 // The preferred backend is the first contender, and the yardstick for the others.
 BackendChoice BackendMaker::fastest(const RequestedBackend& request,
                                     const std::function<bool()>& ended) {
+    const std::string preferred(sim::preferred_backend().name);
+    if (const std::string why = too_large(sim::drawing_backend()); !why.empty())
+        return {preferred, why, faces_};
     std::vector<sim::Contender> contenders;
     std::string reason;
     for (const sim::BackendRow& row : sim::backends()) {
         if (row.slow) continue;
+        if (ended && ended()) return {};
         try {
             contenders.push_back({row.name, backend(row, request).get()});
         } catch (const std::runtime_error& error) {
             reason += (reason.empty() ? "" : "; ") + missing(row, error);
         }
     }
-    const std::string preferred(sim::preferred_backend().name);
     if (contenders.size() < 2 || contenders.front().name != preferred)
         return {preferred, reason, faces_};
     try {
@@ -173,6 +205,10 @@ SharedChoice BackendMaker::settled(const RequestedBackend& request) {
     const sim::BackendRow& row = row_of(request.settled->backend);
     const sim::BackendRow& preferred = sim::preferred_backend();
     if (&row == &preferred) return request.settled;
+    if (const std::string why = too_large(row); !why.empty()) {
+        return std::make_shared<const BackendChoice>(
+            BackendChoice{std::string(preferred.name), why, faces_});
+    }
     try {
         backend(row, request);
         return request.settled;

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <tuple>
 
@@ -28,8 +29,8 @@ class BackendMaker {
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
     /// Whether it is `auto` and was not measured yet, or was measured in a scene unlike this one.
     [[nodiscard]] bool is_open(const RequestedBackend& request) const;
-    /// Takes about half a second at most; for `ended` see sim::ChoiceLimits. No backend is bound to
-    /// a thread when this returns.
+    /// Takes about half a second at most; for `ended` see sim::ChoiceLimits: then this returns null.
+    /// No backend is bound to a thread when this returns.
     SharedChoice measure(const RequestedBackend& request, const std::function<bool()>& ended);
     /// Does what make_backends() says.
     SensorBackends make(std::span<const RequestedBackend> requests);
@@ -44,11 +45,14 @@ class BackendMaker {
     [[nodiscard]] SharedChoice settled(const RequestedBackend& request);
     /// Whether the sensor sees light that only rays follow.
     [[nodiscard]] bool needs_rays(const RequestedBackend& request) const;
+    /// Reason why `auto` does not draw this scene; empty where it may.
+    [[nodiscard]] std::string too_large(const sim::BackendRow& row) const;
     BackendChoice fastest(const RequestedBackend& request, const std::function<bool()>& ended);
     void leave_thread();
 
     sim::SharedScene scene_;
     std::size_t faces_;
+    double triangles_ = 0.0;  ///< of all that a backend would draw, about
     std::map<MadeKey, SharedBackend> made_;
 };
 

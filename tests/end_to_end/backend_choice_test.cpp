@@ -38,6 +38,20 @@ TEST(BackendChoice, IsMeasuredSoonAfterTheStartAndTold) {
     EXPECT_EQ(truth.at("backend_reason"), told);
 }
 
+// A trial beside it would make its first scans late.
+TEST(BackendChoice, IsMeasuredOnceNoClientIsThere) {
+    const TempDir directory;
+    const DaemonProcess daemon(directory, on_tty({}));
+    {
+        auto wire = ScannerWire::tty(daemon.tty());
+        ASSERT_EQ(wire.ask(stream_of_one_beam), "00");
+        for (int scan = 0; scan < 100; ++scan)
+            (void)wire.next_scan();
+        EXPECT_EQ(reason(daemon), "not measured yet");
+    }
+    EXPECT_TRUE(eventually([&] { return reason(daemon) != "not measured yet"; }));
+}
+
 TEST(BackendChoice, IsNotMeasuredWhereOneIsAskedForByName) {
     const TempDir directory;
     const DaemonProcess daemon(directory, on_tty({"--backend", "reference"}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -127,9 +128,46 @@ TEST(BackendMaker, MeasuresAgainWhenTheSceneHasChangedMuch) {
 
 TEST(BackendMaker, EndsMeasuringWhenNobodyWaitsForIt) {
     BackendMaker maker(scene_of(1));
-    const SharedChoice choice = maker.measure(requested("a/1", std::nullopt), [] { return true; });
-    EXPECT_EQ(choice->backend, "embree");
-    EXPECT_THAT(choice->reason, testing::AnyOf(HasSubstr("ended"), HasSubstr("no depth: ")));
+    EXPECT_EQ(maker.measure(requested("a/1", std::nullopt), [] { return true; }), nullptr);
+}
+
+// A sphere of 0.5 m is drawn as 25 000 triangles.
+TEST(BackendMaker, DrawsNoWorldOfMillionsOfTriangles) {
+    sim::SceneBuilder scene;
+    for (int i = 0; i < 60; ++i)
+        scene.add(sim::Sphere{0.5}, {{4.5 + 2 * i, 0, 0}});
+    BackendMaker maker(scene.build());
+    RequestedBackend open = requested("a/1", std::nullopt);
+    open.settled = maker.measure(open, {});
+    EXPECT_EQ(open.settled->backend, "embree");
+    EXPECT_THAT(
+        open.settled->reason,
+        testing::MatchesRegex("no depth: the world has about 1480[0-9][0-9][0-9] triangles to "
+                              "draw, and auto draws up to 1000000"));
+    EXPECT_FALSE(maker.is_open(open));
+    // It was a smaller world in which the depth buffer was the fastest.
+    open.settled = std::make_shared<const BackendChoice>(BackendChoice{"depth", "as before", 60});
+    EXPECT_EQ(maker.make({&open, 1}).choice_of("a/1")->backend, "embree");
+}
+
+TEST(BackendMaker, KnowsAboutHowManyTrianglesAWorldHas) {
+    const auto reason = [](const sim::Shape& shape, int copies) {
+        sim::SceneBuilder scene;
+        for (int i = 0; i < copies; ++i)
+            scene.add(shape, {{4.5 + 2 * i, 0, 0}});
+        BackendMaker maker(scene.build());
+        return maker.measure(requested("a/1", std::nullopt), {})->reason;
+    };
+    for (const sim::Shape& shape : {sim::Shape{sim::Sphere{0.2}}, sim::Shape{sim::Sphere{3.0}},
+                                    sim::Shape{sim::Cylinder{0.8, 1.0}}}) {
+        const auto each = static_cast<double>(sim::tessellate(shape).triangles.size());
+        const int copies = static_cast<int>(2e6 / each);
+        const std::string told = reason(shape, copies);
+        double triangles = 0.0;
+        ASSERT_EQ(std::sscanf(told.c_str(), "no depth: the world has about %lf", &triangles), 1)
+            << told;
+        EXPECT_NEAR(triangles / copies, each, 0.05 * each);
+    }
 }
 
 }  // namespace
