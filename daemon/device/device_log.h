@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Logs what changes at one scanner: clients come, wait and leave, it boots, its laser is switched on
-// or off. More than 20 changes a second are suppressed, and counted once they calm down. Lives on
-// the shard of the scanner.
+// Logs what changes at one scanner: clients come, wait and leave, it boots, its laser is switched
+// on or off. More than 20 changes a second are suppressed, and counted once they calm down. Lives
+// on the shard of the scanner.
 #pragma once
 
 #include <atomic>

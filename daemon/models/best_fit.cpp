@@ -44,8 +44,8 @@ double apart(double a, double b) {
     return known ? std::abs(std::log(a / b)) : 0.0;
 }
 
-/// A program may leave beams out, but cannot look where there are none: a view that is too narrow is
-/// worse than a scan at twice the rate.
+/// A program may leave beams out, but cannot look where there are none: a view that is too narrow
+/// is worse than a scan at twice the rate.
 double view_apart(double has_rad, double wanted_rad) {
     constexpr double weight_of_lack = 4.0;
     return apart(has_rad, wanted_rad) * (has_rad < wanted_rad ? weight_of_lack : 1.0);

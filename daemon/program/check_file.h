@@ -14,8 +14,8 @@
 namespace scipd::daemon {
 
 /// Warnings and what there is, for a person. `overrides` say how a world is read, and if they are
-/// strict, what it or a trajectory would cause a warning for is a fault. Throws LoadError with every
-/// fault.
+/// strict, what it or a trajectory would cause a warning for is a fault. Throws LoadError with
+/// every fault.
 std::string check_file(FileKind kind, const std::filesystem::path& file,
                        const Overrides& overrides);
 

@@ -57,8 +57,8 @@ class Replay {
     [[nodiscard]] sim::Time lasts(const ReplayTurn& turn) const;
     [[nodiscard]] const Tape& tape() const { return *tape_; }
 
-    /// Holds from this turn on, and ends that it follows the line of stamps. Returns the status when
-    /// the scans of a step have been shown.
+    /// Holds from this turn on, and ends that it follows the line of stamps. Returns the status
+    /// when the scans of a step have been shown.
     ReplayStatus steer(const ReplaySteering& steering, const ReplayTurn& turn);
     [[nodiscard]] ReplayStatus status(const ReplayTurn& turn) const;
 

@@ -29,8 +29,8 @@ class BackendMaker {
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
     /// Whether it is `auto` and was not measured yet, or was measured in a scene unlike this one.
     [[nodiscard]] bool is_open(const RequestedBackend& request) const;
-    /// Takes about half a second at most; for `ended` see sim::ChoiceLimits: then this returns null.
-    /// No backend is bound to a thread when this returns.
+    /// Takes about half a second at most; for `ended` see sim::ChoiceLimits: then this returns
+    /// null. No backend is bound to a thread when this returns.
     SharedChoice measure(const RequestedBackend& request, const std::function<bool()>& ended);
     /// Does what make_backends() says.
     SensorBackends make(std::span<const RequestedBackend> requests);

@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // The shapes around a sensor: its own housing, and, as a mistake, something solid that it is inside
-// of, or the ground above it. Looks at the shapes one by one, as the reference backend does, which takes a while in large
-// worlds. Pure; any thread.
+// of, or the ground above it. Looks at the shapes one by one, as the reference backend does, which
+// takes a while in large worlds. Pure; any thread.
 #pragma once
 
 #include <optional>
@@ -27,9 +27,9 @@ struct OddPlace {
     ObjectId object;
 };
 
-/// For a sensor at this point of W among models at these poses, by ModelId. What is
-/// unseen, the body that carries the sensor or its housing, may be around it. A mesh is solid where it is closed and its faces are
-/// turned outwards; a room that is a single mesh has them turned inwards.
+/// For a sensor at this point of W among models at these poses, by ModelId. What is unseen, the
+/// body that carries the sensor or its housing, may be around it. A mesh is solid where it is
+/// closed and its faces are turned outwards; a room that is a single mesh has them turned inwards.
 std::optional<OddPlace> odd_place(const Scene& scene, std::span<const Pose> world_from_model,
                                   const glm::dvec3& at_m, const Unseen& unseen = {});
 

@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // A robot whose poses come late and five at a time, as from a simulator that is a step behind. With
-// wait_ms its scans are late but right. Without it they are on time but wrong, unless the robot goes
-// on as it moved, which is the default.
+// wait_ms its scans are late but right. Without it they are on time but wrong, unless the robot
+// goes on as it moved, which is the default.
 #include <algorithm>
 #include <atomic>
 #include <chrono>

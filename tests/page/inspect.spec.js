@@ -104,7 +104,8 @@ test('a beam tells the faults that changed it, and no others', async ({page, sta
   await daemon.post(`/sensors/${SENSOR}/faults`, {kind: 'blind', steps: [FRONT, FRONT + 20]});
   await expect.poll(() => faultAt(FRONT - 1)).toBe('dirty: the window is dirty');
   await expect.poll(() => faultAt(FRONT + 1)).toBe('blind: the sector is blind');
-  expect((await faultAt(FRONT)).split('; ').sort()).toEqual(['blind: the sector is blind', 'dirty: the window is dirty']);
+  const faults = (await faultAt(FRONT)).split('; ').sort();
+  expect(faults).toEqual(['blind: the sector is blind', 'dirty: the window is dirty']);
   for (const step of [FRONT - 21, FRONT + 21]) expect(await faultAt(step)).toBe(undefined);
   await daemon.send('DELETE', `/sensors/${SENSOR}/faults`);
   await expect.poll(() => faultAt(FRONT)).toBe(undefined);

@@ -79,7 +79,8 @@ function cutOff() {
   const isCut = (element) => {
     const {left, right} = element.getBoundingClientRect();
     const around = element.closest('aside, #view').getBoundingClientRect();
-    if (left < around.left - 1 || right > around.right + 1 || element.scrollWidth > element.clientWidth + 1) return true;
+    if (left < around.left - 1 || right > around.right + 1) return true;
+    if (element.scrollWidth > element.clientWidth + 1) return true;
     if (element.tagName !== 'SELECT') return false;
     const style = getComputedStyle(element);
     pen.font = `${style.fontSize} ${style.fontFamily}`;

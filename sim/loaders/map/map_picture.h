@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // Reads the picture of a map: PGM (plain and raw), PNG, BMP, JPEG or TIFF. The header tells how
-// large a picture is; one that is too large is refused before any memory is allocated for it. Any thread;
-// nothing shared.
+// large a picture is; one that is too large is refused before any memory is allocated for it. Any
+// thread; nothing shared.
 #pragma once
 
 #include <string_view>

@@ -56,8 +56,8 @@ std::string config_of(const fs::path& folder, std::vector<std::string>& warnings
     return {};
 }
 
-/// The <name> in this file; empty if there is none. A file that cannot be read is reported where its
-/// contents are wanted.
+/// The <name> in this file; empty if there is none. A file that cannot be read is reported where
+/// its contents are wanted.
 std::string name_in(const fs::path& file) {
     if (!check_plain_file(file)) return {};
     tinyxml2::XMLDocument config;

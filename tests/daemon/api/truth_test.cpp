@@ -181,7 +181,8 @@ TEST_F(TruthTest, HasTheBiasOfTheTrueRange) {
     }
 }
 
-// Step 0 looks behind, where there is nothing; a fault such as `dirty` gives it a range all the same.
+// Step 0 looks behind, where there is nothing; a fault such as `dirty` gives it a range all the
+// same.
 TEST_F(TruthTest, HasNoBiasWhereABeamMetNothing) {
     for (const auto accuracy : {sim::Accuracy::sensor, sim::Accuracy::material}) {
         SensorConfig config = ideal_sensor();

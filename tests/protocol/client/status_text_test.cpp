@@ -23,7 +23,7 @@ TEST(StatusText, OfScansTellsWhatIsWrongWithTheParameters) {
 
 TEST(StatusText, DependsOnTheCommand) {
     EXPECT_EQ(said("BM", "01"), "status 01: the laser is out of order");
-    EXPECT_EQ(said("DB01", "05"), "status 05: the scanner is in real trouble");
+    EXPECT_EQ(said("DB01", "05"), "status 05: the scanner is in a real error state");
     EXPECT_EQ(said("SS019200", "03"), "status 03: this is the present value");
     EXPECT_EQ(said("VV", "05"), "status 05");
 }

@@ -129,8 +129,8 @@ double way_m(const FloorMap& map, const glm::dvec2& from_m, const glm::dvec2& al
     }
 }
 
-// The walls of rooms of random sizes lie anywhere in a cell. Before each of them a scanner is as far
-// from the map as from the wall, on the average.
+// The walls of rooms of random sizes lie anywhere in a cell. Before each of them a scanner is as
+// far from the map as from the wall, on the average.
 TEST_P(FloorMaps, AreNotSystematicallyNearerThanTheWorld) {
     std::mt19937 random(53);
     std::uniform_real_distribution<double> size_m(3.0, 3.0 + 8.0 * GetParam());

@@ -29,8 +29,8 @@ struct Answer {
     [[nodiscard]] double took_ms() const;
 };
 
-/// True if a command without parameters is unknown: 0D, 0E, 0F, or empty for no answer. A request as
-/// short as that cannot be too long.
+/// True if a command without parameters is unknown: 0D, 0E, 0F, or empty for no answer. A request
+/// as short as that cannot be too long.
 [[nodiscard]] bool is_unknown(std::string_view status);
 
 [[nodiscard]] Answer read_answer(std::string raw);

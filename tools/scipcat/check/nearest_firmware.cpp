@@ -23,7 +23,8 @@
 namespace scipd::tools::checks {
 namespace {
 
-/// The whole reply to a request, without scans that came before it. Returns nullopt if there is none.
+/// The whole reply to a request, without scans that came before it. Returns nullopt if there is
+/// none.
 using Ask = std::function<std::optional<std::string>(const std::string& request)>;
 
 /// The answers to a fixed list of questions in four states, by state and question, without all that
