@@ -303,7 +303,7 @@ TEST_F(TruthTest, KeepsScansForAMinuteFromAQuestionOn) {
     turn(3);
     EXPECT_EQ(kept(), 1) << "nobody has asked of late";
     const std::string before = std::to_string(revolution_ - 2);
-    EXPECT_THAT(refusal(404, "scan=" + before), HasSubstr("ask for a later scan"));
+    EXPECT_THAT(refusal(404, "scan=" + before), HasSubstr("request a later scan"));
     turn(2);
     EXPECT_EQ(truth("scan=" + std::to_string(revolution_ - 2))["scan"], revolution_ - 2);
     const sim::Time asked = clock_.now();
@@ -332,7 +332,7 @@ TEST_F(TruthTest, KeepsTheNamesOfTheirWorld) {
 }
 
 TEST_F(TruthTest, SaysWhatToDoWhereThereIsNone) {
-    EXPECT_THAT(refusal(404), HasSubstr("until somebody asks for scans"));
+    EXPECT_THAT(refusal(404), HasSubstr("only scans while someone reads"));
     client_->receive("MD0540054000000\n");
     turn();
     for (const char* query : {"scan=", "scan=x", "scan=1x", "scan=99999999999999999999", "n=1"})
