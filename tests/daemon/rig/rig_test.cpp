@@ -384,7 +384,9 @@ TEST_P(RigTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     EXPECT_GE(more, 5U);
     EXPECT_EQ(api_.report().sensors.size(), 4U);
     EXPECT_TRUE(goes_on());
-    EXPECT_TRUE(answers(tty, "UTM-30LX"));
+    EXPECT_THROW(tty.write("VV\n"), std::exception) << "a changed scanner hangs up";
+    ScannerWire again = ScannerWire::tty(directory_.path() / "changed");
+    EXPECT_TRUE(answers(again, "UTM-30LX"));
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "gone"));
     EXPECT_TRUE(fs::is_symlink(directory_.path() / "new"));
 }
@@ -399,8 +401,10 @@ TEST_P(RigTest, HandsAPortToAnotherScanner) {
     rear.name = "rear";
     rear.model = find_model("UTM-30LX");
     rig_.apply(of({rear}));
-    EXPECT_EQ(fs::read_symlink(*sensor().pty), target);
-    EXPECT_TRUE(answers(wire, "UTM-30LX"));
+    EXPECT_NE(fs::read_symlink(*sensor().pty), target);
+    EXPECT_THROW(wire.write("VV\n"), std::exception) << "the tty before has hung up";
+    ScannerWire again = ScannerWire::tty(*sensor().pty);
+    EXPECT_TRUE(answers(again, "UTM-30LX"));
 }
 
 TEST_P(RigTest, DoesNotChargeAScannerWithTheLossesOfTheOneBefore) {
@@ -505,8 +509,9 @@ TEST_P(RigTest, HandsAPortOnWithoutTheFaultsOfTheScannerBefore) {
     config.scenario.clear();
     config.robots[0].sensors[0].link.latency = 100ms;
     rig_.apply(config);
+    ScannerWire again = ScannerWire::tty(*sensor().pty);
     const auto begin = std::chrono::steady_clock::now();
-    EXPECT_TRUE(answers(wire, "UST-10LX"));
+    EXPECT_TRUE(answers(again, "UST-10LX"));
     EXPECT_GE(std::chrono::steady_clock::now() - begin, 200ms);
 }
 
@@ -539,7 +544,7 @@ TEST_P(RigTest, KeepsThePoseFeedsThatStay) {
     rig_.apply(config);
     sender.send(R"({"xyz":[2,0,0]})");
     EXPECT_TRUE(run_until(io_, [&] { return api_.report().poses.accepted == 2; }));
-    EXPECT_EQ(api_.robot_pose("rescue")->pose.translation_m.x, 2.0);
+    EXPECT_GE(api_.robot_pose("rescue")->pose.translation_m.x, 2.0) << "it goes on as it moved";
 
     config.robots[0].poses.reset();
     rig_.apply(config);

@@ -217,7 +217,7 @@ TEST(ScipcatCompare, RefusesWhatCannotBeCompared) {
     EXPECT_THAT(wrong.err, HasSubstr("ends in none of .html, .png and .json"));
     const Outcome part = run_scipcat({"compare", room, room, "--start", "400"});
     EXPECT_EQ(part.exit_code, 2);
-    EXPECT_THAT(part.err, HasSubstr("a recording is there already: leave them out"));
+    EXPECT_THAT(part.err, HasSubstr("are requests to a scanner: leave them out for a recording"));
     const Outcome stream = run_scipcat({"compare", room, room, "--stream-b", "rear"});
     EXPECT_EQ(stream.exit_code, 2);
     EXPECT_THAT(stream.err, HasSubstr("has no stream \"rear\" with scans; it has "));
