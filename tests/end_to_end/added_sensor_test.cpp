@@ -132,7 +132,7 @@ TEST_F(AddedSensor, IsRefusedWithWhatIsRight) {
     EXPECT_THAT(refusal({{"name", "r/a b"}}), HasSubstr("is no name"));
     EXPECT_THAT(refusal({{"name", "ä b/x"}}), HasSubstr(R"('\u00e4 b' is no name)"));
     EXPECT_THAT(refusal({{"name", "r/s"}}, 409), HasSubstr("already"));
-    EXPECT_THAT(refusal({{"model", "URG-05LX"}}), HasSubstr("the models are URG-04LX"));
+    EXPECT_THAT(refusal({{"model", "URG-05LX"}}), HasSubstr("The models are URG-04LX"));
     EXPECT_THAT(refusal({{"nose", 2}}), HasSubstr("did you mean noise?"));
     EXPECT_THAT(refusal({{"tcp", "none"}}), HasSubstr("no driver could reach it"));
     EXPECT_THAT(refusal({{"pty", "/tmp/tty"}}, 403), HasSubstr("auto"));

@@ -91,7 +91,7 @@ def main():
         assert (folder / "still.yaml").read_text().replace("still", "live") == (folder / "live.yaml").read_text()
         assert "go with --map" in run(scipd, *options, "--map-z", 1, exit_code=2)
         assert "needs --map-z" in run(scipd, *options, "--map", folder / "y.yaml", exit_code=2)
-        assert "no faults" in run(scipd, "--check", folder / "world.glb")
+        assert "no errors" in run(scipd, "--check", folder / "world.glb")
     print(f"{len(met)} beams end where the map is occupied")
 
 

@@ -197,7 +197,7 @@ def check_the_token(program, scene, folder):
         scipd.tcp("GET", "/status", host="0.0.0.0:" + scipd.ready["http"].rpartition(":")[2], **knows).refused(403)
         assert scipd.unix("GET", "/status").status == 200
         log = scipd.end()[1]
-    assert log.count(f"robot/scanner listens on {scipd.ready['sensors'][0]['tcp']}: everybody") == 1, log
+    assert log.count(f"robot/scanner listens on {scipd.ready['sensors'][0]['tcp']}: every machine") == 1, log
     assert "0123456789abcdef" not in log
     # Nothing answers to a Host of all addresses; this one was asked above. This build may have no page.
     assert "http://0.0.0.0" not in log, log

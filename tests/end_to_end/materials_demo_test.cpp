@@ -184,7 +184,7 @@ TEST_F(MaterialsDemo, IsDrawnInTheColoursOfItsTruth) {
                                     control_get(daemon.control(), "/sensors/robot/multi/truth"));
     const Outcome other = plot({"--color", "error", "--truth", "robot/single"});
     EXPECT_EQ(other.exit_code, 1);
-    EXPECT_THAT(other.err, HasSubstr("there is no scan yet"));
+    EXPECT_THAT(other.err, HasSubstr("no scan yet"));
     const Outcome clusters = plot({"--color", "material", "--cluster", "2"});
     EXPECT_EQ(clusters.exit_code, 2);
     EXPECT_THAT(clusters.err, HasSubstr("need --cluster 1"));

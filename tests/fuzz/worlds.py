@@ -282,7 +282,7 @@ def main():
                 print(f"case {case}, {name}: scipd {fault}\n{said.decode(errors='replace')[-4000:]}", flush=True)
                 if finds:
                     shutil.copytree(scenes, finds / f"worlds-{case}")
-        tally["finds" if fault else "well" if b"no faults" in said else "refused"] += 1
+        tally["finds" if fault else "well" if b"no errors" in said else "refused"] += 1
         tally["child"] += b"Sanitizer" in said or b"crashes the library" in said
         number += 1
     print(f"{number} worlds: {tally['well']} well, {tally['refused']} refused "

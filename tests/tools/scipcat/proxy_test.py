@@ -341,7 +341,7 @@ def records_scans_in_other_formats():
                 driver.close()
                 code, _ = proxy.end()
                 assert code == (1 if ending == "csv" else 0), (code, proxy.said())
-                assert ("the same steps" in proxy.said()) == (ending == "csv"), proxy.said()
+                assert ("the same columns" in proxy.said()) == (ending == "csv"), proxy.said()
             told = info(file)
             assert told["format"] == ending and told["scans"] == (2 if ending == "csv" else 3), told
     scanner.close()

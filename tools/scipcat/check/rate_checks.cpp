@@ -101,7 +101,9 @@ Finding prompt_scan(Subject& subject) {
     constexpr double most_turns = 16.0;
     return within(subject, most_turns * subject.facts().period_ms(), [&] {
         subject.measure();
-        return subject.ask("GD" + subject.all() + "01").took_ms();
+        const Answer answer = subject.ask("GD" + subject.all() + "01");
+        (void)scan_of(answer);
+        return answer.took_ms();
     });
 }
 
