@@ -101,7 +101,7 @@ def ends_with_its_scanner(programs):
         file.write_text(json.dumps(configuration))
         lab.process.send_signal(signal.SIGHUP)
         answer = talk.getresponse()
-        assert answer.status == 409 and b"has left" in answer.read(), answer.status
+        assert answer.status == 409 and b"was removed or changed" in answer.read(), answer.status
         assert get(lab.ready["control"], "/sensors/robot/stays/recording?scans=1")[0] == 200
 
 
