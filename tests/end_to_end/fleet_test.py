@@ -14,7 +14,7 @@ import time
 from fault_lab import wait_for
 from fleet_lab import CRATE, FakeBroker, FleetLab, hall
 
-CART = {"body": "cart", "pose": {"xyz": [2, 0, 0.3]}, "poses": "udp:127.0.0.1:0"}
+CART = {"body": "cart", "pose": {"xyz": [2, 0, 0.3]}, "poses": {"from": "udp:127.0.0.1:0", "after": "hold"}}
 
 
 def crate_at(x_m):
