@@ -57,7 +57,7 @@ def footer_lines(footer):
 
 
 def command_lines(help_):
-    lines = [f".SS {roff.escaped(help_.usage)}", *roff.sentences(help_.what)]
+    lines = [f".SS {roff.escaped(help_.usage.rstrip())}", *roff.sentences(help_.what)]
     lines += option_lines(help_) + footer_lines(help_.footer)
     for command in help_.commands:
         lines += command_lines(command)

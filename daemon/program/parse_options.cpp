@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* description =
-    "scipd emulates a Hokuyo laser scanner: programs cannot tell the difference. It speaks SCIP\n"
+    "emulates a Hokuyo laser scanner: programs cannot tell the difference. It speaks SCIP\n"
     "over TCP and a tty, and its ranges come from a 3D world. Without options it is a UST-10LX in\n"
     "the demo world. Once everything is ready, it prints one line of JSON with the addresses.";
 
