@@ -11,11 +11,11 @@
 
 namespace scipd::protocol {
 
-/// What a request asks: "requests one scan, steps 44 to 725". Empty: SCIP 1.1 has no such request,
+/// Describes a request: "requests one scan, steps 44 to 725". Empty: SCIP 1.1 has no such request,
 /// or not with these parameters.
 [[nodiscard]] std::string scip1_request_words(const Scip1Request& request);
 
-/// What the reply with this echo and status tells: "returns the version", "not carried out".
+/// Describes the reply with this echo and status: "returns the version", "not carried out".
 [[nodiscard]] std::string_view scip1_reply_words(const Scip1Request& echo, char status);
 
 /// What the status means. Empty: it means nothing that is known.

@@ -13,11 +13,11 @@
 
 namespace scipd::protocol {
 
-/// What a request asks: "requests an endless stream of distances, steps 0 to 1080". Of a command
+/// Describes a request: "requests an endless stream of distances, steps 0 to 1080". Of a command
 /// that the model does not know it says so.
 [[nodiscard]] std::string request_words(const Request& request);
 
-/// What the reply with this echo and status tells: "returns the version", "refuses",
+/// Describes the reply with this echo and status: "returns the version", "refuses",
 /// "a scan of the stream, and 9 more to come".
 [[nodiscard]] std::string reply_words(const Request& echo, Status status);
 

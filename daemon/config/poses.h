@@ -27,7 +27,7 @@ sim::Pose read_pose(const sim::YamlSection& parent, std::string_view key, sim::Y
 void read_poses(const sim::YamlField& field, RobotConfig& robot, const std::filesystem::path& base,
                 Claims& claims, sim::YamlFaults& faults);
 
-/// What holds where there are no poses. Live ones on the wall clock are extrapolated unless the
+/// Policy for times without a pose. Live poses on the wall clock are extrapolated unless the
 /// configuration says what comes after the last one.
 [[nodiscard]] sim::PosePolicy pose_policy(const Config& config, const RobotConfig& robot);
 

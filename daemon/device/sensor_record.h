@@ -16,7 +16,7 @@
 
 namespace scipd::daemon {
 
-/// How a fault changed the readings of a scan.
+/// Effect of a fault on the readings of a scan.
 struct ReadingFault {
     std::string kind;
     std::string what;        ///< for people, as in the log of faults

@@ -35,7 +35,7 @@ class Arrivals {
     /// To be called after note(): the log says the rate once, and warns where poses come too seldom
     /// or too late for the needs.
     void log(Moment now, const std::string& robot, const PoseNeeds& needs);
-    /// What it logs.
+    /// Message for the log, and its level.
     struct News {
         bool warns;
         std::string text;

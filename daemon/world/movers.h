@@ -38,7 +38,7 @@ class Movers {
                                                  sim::ModelId except) const;
 
   private:
-    /// How far it goes after its last pose.
+    /// Distance that it goes after its last pose, m.
     [[nodiscard]] static double goes_on_m(const MovableModel& model);
 
     std::vector<MovableModel*> models_;

@@ -31,7 +31,7 @@ class Error : public std::runtime_error {
 inline constexpr const char* maybe_busy =
     "; a scanner serves one client at a time: is another program connected?";
 
-/// Nothing came in time: "no answer to QT within 1 s".
+/// Timeout error: "no answer to QT within 1 s".
 [[nodiscard]] inline Error timed_out(const std::string& awaited, std::chrono::milliseconds within,
                                      const std::string& hint = {}) {
     const auto ms = within.count();

@@ -20,7 +20,7 @@
 
 namespace scipd::sim {
 
-/// What rays pass through.
+/// Models and objects that rays pass through.
 struct Unseen {
     Unseen(ModelId body = no_model, std::span<const ObjectId> some = {})
         : model(body), objects(some) {}

@@ -32,7 +32,7 @@ ObjectId id_of(const Scene& scene, const PlacedObject& placed) {
     return static_cast<ObjectId>(placed.object - scene.objects.data());
 }
 
-/// Those that are anything and are seen.
+/// Shapes that are not empty and are seen.
 std::vector<PlacedObject> all_placed(const Scene& scene, std::span<const Pose> world_from_model,
                                      const Unseen& unseen) {
     std::vector<PlacedObject> all;
@@ -146,7 +146,7 @@ Parts first_thing(Parts all) {
     return {all.begin(), end};
 }
 
-/// Whether a point of the thing's own frame lies in the box around it, or so close to that.
+/// True if a point of the thing's own frame lies in the box around it, or so close to that.
 bool is_near(Parts thing, const glm::dvec3& at_m, double outside_m = 0.0) {
     Bounds around;
     for (const PlacedObject& part : thing)

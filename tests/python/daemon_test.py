@@ -118,7 +118,7 @@ def test_a_scene_that_ships_is_found_by_its_name(monkeypatch, tmp_path, room):
     assert find_world("there.sdf") == "there.sdf"
     with pytest.raises(ValueError, match="no scene of that name .*; there are: corridor, crossing, .*square_room"):
         Scipd(world="round_room")
-    # As the Debian package has them; a file of this folder comes first.
+    # The layout of the Debian package; a file of this folder comes first.
     (tmp_path / "usr/bin").mkdir(parents=True)
     shutil.copy(find_program(), tmp_path / "usr/bin/scipd")
     shutil.copytree(room.parent, tmp_path / "usr/share/scipd/scenes")

@@ -13,7 +13,7 @@ import {readMesh} from './mesh_message.js';
 import * as colours from './colours.js';
 
 const FLAT_M = 0.05;
-// What is flat and as wide as this is ground.
+// Minimum width of a flat face that counts as ground, m.
 const GROUND_M = 4;
 const STILL = 'still';
 

@@ -23,7 +23,7 @@ std::filesystem::path model_file_of(const std::filesystem::path& path,
 [[nodiscard]] Expected<> check_model(const std::filesystem::path& path,
                                      const std::filesystem::path& model);
 
-/// Whether the folder has a model.config, or a manifest.xml, its former name.
+/// True if the folder has a model.config, or a manifest.xml, its former name.
 bool is_model_folder(const std::filesystem::path& folder);
 
 /// Whether the model.config or package.xml of a folder gives it this name. The folder's own name

@@ -46,7 +46,7 @@ bool is_seen(const SdfPart& model) {
     });
 }
 
-/// Why a document without a world has no model either.
+/// Reason for which a document without a world has no model either.
 std::string why_no_model(const SdfDocument& document) {
     if (document.is_robot()) return "is a URDF without a <link>; give the robot one";
     const auto* model = document.root().FirstChildElement("model");

@@ -73,7 +73,7 @@ std::string expanded(const fs::path& file, const XacroArguments& arguments) {
 LoadedScene load_xacro(const fs::path& given, const SdfOptions& options) {
     const auto file = fs::absolute(given).lexically_normal();
     const std::string text = expanded(file, options.xacro);
-    // What is cut short is a fault of its XML.
+    // A truncated document is reported by the XML parser.
     const bool is_robot = text.find("<robot") != text.npos && text.find('>') != text.npos;
     if (is_robot && text.find("<link") == text.npos) {
         throw LoadError({file.string() +

@@ -529,7 +529,7 @@ TEST(Options, NamesTheOptionThatSomebodyMeant) {
         {"--seed 2 --treads=3", "there is no option --treads; did you mean --threads?"},
         {"--radar", "there is no option --radar; see scipd --help"},
         {"rig.yaml", "unexpected argument 'rig.yaml'; see scipd --help"},
-        // As other programs name them; --port is also near to --pose, and --noise too.
+        // Names in other programs; --port is also near to --pose, and --noise too.
         {"--port 10940", "there is no option --port; did you mean --tcp ADDR:PORT?"},
         {"--noise=2",
          "there is no option --noise; did you mean --accuracy ideal|sensor|material, or `scipctl "

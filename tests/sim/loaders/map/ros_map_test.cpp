@@ -294,7 +294,7 @@ TEST(RosMap, aBmp) {
     }
 }
 
-/// What a TIFF's PhotometricInterpretation says (TIFF 6.0, section 8).
+/// Values of a TIFF's PhotometricInterpretation (TIFF 6.0, section 8).
 constexpr std::pair<int, int> white_is_zero{262, 0};
 constexpr std::pair<int, int> black_is_zero{262, 1};
 constexpr std::pair<int, int> rgb{262, 2};

@@ -89,7 +89,7 @@ TEST_F(ResourcesTest, PackagesAreFoundInTheirFolderAndOneDown) {
     EXPECT_EQ(find("package:/" + low), "");
 }
 
-// As Gazebo's search does: a folder that has the name of a model need not be one.
+// Gazebo's search does the same: a folder that has the name of a model need not be one.
 TEST_F(ResourcesTest, AFolderWithoutAModelConfigIsPassedByForAModel) {
     folder_.write("world/" + own_ + "/" + own_ + ".world", "");
     const std::string uri = "model://" + own_;
