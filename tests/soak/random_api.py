@@ -137,9 +137,10 @@ class Beside(threading.Thread):
 
 
 class Numbers:
-    """The scans of /stream, whose numbers go up by one."""
+    """The scans of /stream, whose numbers go up by one. A client that answers no ping is cut after five minutes."""
 
-    def __init__(self):
+    def __init__(self, link):
+        self.link = link
         self.scans = self.missed = self.damaged = 0
         self.last = self.fault = None
         self.buffer = b""
@@ -156,6 +157,8 @@ class Numbers:
             kind, message, self.buffer = self.buffer[0], self.buffer[begin:begin + size], self.buffer[begin + size:]
             if kind & 0x0F == 8:
                 raise ConnectionError(f"/stream was closed: {message!r}")
+            if kind & 0x0F == wire.PING:
+                self.link.sendall(wire.PONG)
             if kind & 0x0F == 1:
                 self.take(json.loads(message))
 
@@ -184,7 +187,7 @@ def clients_beside(scipd, over):
     head = b""
     while not head.endswith(b"\r\n\r\n"):
         head += link.recv(1)
-    yield Beside("stream", Numbers(), socket_reader(link), over)
+    yield Beside("stream", Numbers(link), socket_reader(link), over)
 
 
 def socket_reader(link):
