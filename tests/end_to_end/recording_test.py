@@ -88,6 +88,39 @@ def refuses_and_lets_go(programs, folder):
             one.close()
 
 
+def refuses_what_a_csv_cannot_hold(programs, folder):
+    """A scan has three echoes at `material` and one at `sensor`: a CSV has no columns for both."""
+    scipd, scipcat, scenes = programs
+    with Scipd(scipd, folder, "--scene", f"{scenes}/square_room.sdf", "--model", "UTM-30LX-EW") as scanner:
+        control = Control(scanner.ready["control"])
+
+        def across_a_change(kind):
+            def casts():
+                return sum(control.ask("GET", "/sensors/robot/scanner")[1]["casts"].values())
+
+            assert control.ask("PATCH", "/sensors/robot/scanner", {"accuracy": "sensor"})[0] == 200
+            talk, before = Control(scanner.ready["control"]), casts()
+            talk.request("GET", f"{RECORDING}?format={kind}&scans=40")
+            wait_for(lambda: casts() > before + 2, "some of the scans")
+            status, answer = control.ask("PATCH", "/sensors/robot/scanner", {"accuracy": "material"})
+            assert status == 200, answer
+            answer = talk.getresponse()
+            return answer.status, answer.read()
+
+        status, body = across_a_change("csv")
+        problem = json.loads(body)
+        assert status == problem["status"] == 409 and "ask for mcap, ubh or jsonl" in problem["detail"], (status, body)
+        for kind in ("mcap", "ubh", "jsonl"):
+            status, body = across_a_change(kind)
+            assert status == 200, (kind, body)
+            (folder / f"changed.{kind}").write_bytes(body)
+            info = info_of(scipcat, folder / f"changed.{kind}")
+            assert info["scans"] == 40 and not info["warnings"], info
+        echoes = ["echoes" in scan for scan in scans(folder / "changed.jsonl").values()]
+        assert True in echoes and False in echoes, echoes
+        assert get(scanner.ready["control"], f"{RECORDING}?format=csv&scans=2")[0] == 200
+
+
 def ends_with_its_scanner(programs):
     scipd, _, scenes = programs
     stays, goes = ({"model": "UST-10LX", "tcp": "127.0.0.1:0"} for _ in range(2))
@@ -111,6 +144,8 @@ def main(*programs):
             holds_what_the_wire_has(model, programs, pathlib.Path(folder))
     with tempfile.TemporaryDirectory() as folder:
         refuses_and_lets_go(programs, pathlib.Path(folder))
+    with tempfile.TemporaryDirectory() as folder:
+        refuses_what_a_csv_cannot_hold(programs, pathlib.Path(folder))
     ends_with_its_scanner(programs)
     print("what the API records is what the wire has")
 
