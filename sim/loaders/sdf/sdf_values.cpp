@@ -19,16 +19,19 @@ using tinyxml2::XMLElement;
 
 constexpr std::size_t longest_shown = 200;
 
-[[noreturn]] void cannot_read(const char* name, std::string_view text) {
+[[noreturn]] void cannot_read(const char* name, std::string_view text, const std::string& wanted) {
     throw UnreadableValue(
         std::string{"its <"} + name + "> " +
         (text.empty() ? std::string{} : '\'' + printable(text, longest_shown) + "' ") +
-        "cannot be read");
+        "cannot be read: write " + wanted);
 }
 
 std::vector<double> numbers_in(const char* name, std::string_view text, std::size_t count) {
     const auto numbers = parse_numbers(text, count);
-    if (!numbers) cannot_read(name, text);
+    if (!numbers)
+        cannot_read(
+            name, text,
+            count == 1 ? "a number" : std::to_string(count) + " numbers, with blanks between");
     return *numbers;
 }
 
@@ -68,7 +71,7 @@ std::optional<bool> SdfValues::truth(const char* name) const {
     const std::string_view word = trimmed(*value);
     if (word == "1" || word == "true" || word == "True" || word == "TRUE") return true;
     if (word == "0" || word == "false" || word == "False" || word == "FALSE") return false;
-    cannot_read(name, word);
+    cannot_read(name, word, "true or false");
 }
 
 const XMLElement* SdfValues::pose_element() const {

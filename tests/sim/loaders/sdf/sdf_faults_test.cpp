@@ -109,9 +109,11 @@ TEST_F(SdfFaults, aBrokenMeshIsToldOncePerVisual) {
 TEST_F(SdfFaults, valuesThatCannotBeRead) {
     const auto bad_size = "<box><size>1 1 a</size></box>";
     EXPECT_THAT(faults(world(model_of(visual("v", bad_size)))),
-                ElementsAre("a.sdf:5: m::l::v: its <size> '1 1 a' cannot be read"));
+                ElementsAre("a.sdf:5: m::l::v: its <size> '1 1 a' cannot be read: write 3 numbers, "
+                            "with blanks between"));
     EXPECT_THAT(faults(world(model_of(visual("v", unit_box, "<pose>nan 0 0 0 0 0</pose>")))),
-                ElementsAre("a.sdf:5: m::l::v: its <pose> 'nan 0 0 0 0 0' cannot be read"));
+                ElementsAre("a.sdf:5: m::l::v: its <pose> 'nan 0 0 0 0 0' cannot be read: write 6 "
+                            "numbers, with blanks between"));
 }
 
 TEST_F(SdfFaults, documentsWithoutAnElement) {

@@ -71,11 +71,15 @@ TEST_F(SdfRepair, AVisualGoesAlone) {
         EXPECT_THAT(warnings_, ElementsAre("a.sdf:8: m::l::a: " + why + "; left out"));
         expect_strict_faults();
     };
-    lost(visual("a", "<box><size>1 1 a</size></box>"), "its <size> '1 1 a' cannot be read");
-    lost(visual("a", "<box><size>1 1</size></box>"), "its <size> '1 1' cannot be read");
-    lost(visual("a", "<box><size/></box>"), "its <size> cannot be read");
-    lost(visual("a", "<sphere><radius>r</radius></sphere>"), "its <radius> 'r' cannot be read");
-    lost(visual("a", unit_box, "<pose>1 2</pose>"), "its <pose> '1 2' cannot be read");
+    const std::string three = ": write 3 numbers, with blanks between";
+    lost(visual("a", "<box><size>1 1 a</size></box>"), "its <size> '1 1 a' cannot be read" + three);
+    lost(visual("a", "<box><size>1 1</size></box>"), "its <size> '1 1' cannot be read" + three);
+    lost(visual("a", "<box><size/></box>"), "its <size> cannot be read" + three);
+    lost(visual("a", "<sphere><radius>r</radius></sphere>"),
+         "its <radius> 'r' cannot be read: write a number");
+    // Numbers that are glued together, as a public world has them.
+    lost(visual("a", unit_box, "<pose>3-0.5 1 0 0 0</pose>"),
+         "its <pose> '3-0.5 1 0 0 0' cannot be read: write 6 numbers, with blanks between");
 }
 
 TEST_F(SdfRepair, ALinkOrAModelGoesWithItsPose) {
@@ -97,9 +101,12 @@ TEST_F(SdfRepair, WhatIsNeitherShapeNorPlaceCostsItselfOnly) {
                                          "<geometry>" +
                                              unit_box + "</geometry></visual>"))),
                 ElementsAre("m::l::v"));
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("m: its <static> 'maybe' cannot be read; ignored"),
-                                       HasSubstr("m::l::v: its <laser_retro> 'x' cannot be read; "
-                                                 "ignored")));
+    EXPECT_THAT(
+        warnings_,
+        ElementsAre(
+            HasSubstr("m: its <static> 'maybe' cannot be read: write true or false; ignored"),
+            HasSubstr("m::l::v: its <laser_retro> 'x' cannot be read; "
+                      "ignored")));
 }
 
 TEST_F(SdfRepair, FramesThatAreNotThere) {
