@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -75,6 +76,10 @@ void warn_of_coarseness(LoadedScene& loaded, const std::filesystem::path& file) 
 
 LoadedScene read_world(const std::filesystem::path& file, const SceneRequest& asked) {
     LoadedScene loaded = load_here(file, asked);
+    // Robots that come later may have other arguments.
+    if (extension_of(file) == ".xacro")
+        std::ranges::move(ignored_arguments(file, asked.sdf.xacro),
+                          std::back_inserter(loaded.warnings));
     warn_of_coarseness(loaded, file);
     check_overlap(*loaded.scene, *loaded.scene, file.string(), asked.most_overlap);
     return loaded;

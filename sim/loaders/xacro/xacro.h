@@ -7,6 +7,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "sim/loaders/file/loaded_scene.h"
 #include "sim/loaders/sdf/sdf_options.h"
@@ -16,5 +18,10 @@ namespace scipd::sim {
 /// Lines in messages are lines of xacro's output. Throws LoadError as load_sdf() does, and also
 /// with xacro's own complaint, or with what to install.
 LoadedScene load_xacro(const std::filesystem::path& file, const SdfOptions& options = {});
+
+/// A warning for each argument that neither the file nor one that it includes has; none where xacro
+/// does not list these.
+std::vector<std::string> ignored_arguments(const std::filesystem::path& file,
+                                           const XacroArguments& arguments);
 
 }  // namespace scipd::sim

@@ -79,6 +79,42 @@ TEST_F(Xacro, getsTheArguments) {
     EXPECT_EQ(std::get<Box>(loaded.scene->objects[0].shape).size_m, glm::dvec3(4, 2, 3));
 }
 
+/// The script of a program that expands every file to a box, and lists what it includes as `xacro
+/// --deps` does.
+std::string script_with(const std::string& included) {
+    return "for word; do [ \"$word\" = --deps ] && { echo '" + included +
+           "'; exit; }; done\necho \"" + box_robot + "\"\n";
+}
+
+TEST_F(Xacro, warnsOfArgumentsThatNoFileHas) {
+    const auto file =
+        folder_.write("r.xacro",
+                      "<robot name='r' xmlns:xacro='x'><!-- <xacro:arg name='old'/> -->"
+                      "<xacro:arg default='1' name='length'/><link name='$(arg tool )'/></robot>");
+    folder_.write("with a blank.xacro", "<robot xmlns:x='x'><x:arg\nname=\"speed\"/></robot>");
+    const auto warnings = [&](const XacroArguments& arguments, bool strict = false) {
+        const SceneOptions options{.sdf = {.xacro = arguments, .strict = strict}};
+        return without_folder(load_scene(file, options).warnings, folder_);
+    };
+    const std::string included = (folder_.path() / "with a blank.xacro").string();
+    install(script_with(included + " " + included));
+    EXPECT_THAT(warnings({{"length", "2"}, {"tool", "a"}, {"speed", "3"}}), ElementsAre());
+    EXPECT_THAT(warnings({{"lenght", "2"}, {"old", "a"}, {"tool", "a"}}),
+                ElementsAre("r.xacro: has no xacro argument 'lenght'; it has length, speed, tool",
+                            "r.xacro: has no xacro argument 'old'; it has length, speed, tool"));
+    EXPECT_THAT(faults_of(
+                    [&] {
+                        warnings({{"lenght", "2"}}, true);
+                    },
+                    folder_),
+                ElementsAre(HasSubstr("has no xacro argument 'lenght'")));
+    // What is in a file that cannot be read is unknown.
+    install(script_with(included + " /none.xacro"));
+    EXPECT_THAT(warnings({{"lenght", "2"}}), ElementsAre());
+    install("[ $# = 2 ] || exit 2\necho \"" + std::string(box_robot) + "\"\n");
+    EXPECT_THAT(warnings({{"lenght", "2"}}), ElementsAre());
+}
+
 TEST_F(Xacro, sentencesForMissingArgumentsAndForMacrosAlone) {
     install("echo 'error: Undefined substitution argument lidar' >&2\nexit 2\n");
     EXPECT_THAT(faults(), ElementsAre(AllOf(HasSubstr("substitution argument lidar; --xacro "
