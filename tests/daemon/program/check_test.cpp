@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What `scipd --check` says of files that are no configuration, with figures that were counted by
+// The answers of `scipd --check` about files that are no configuration, with figures that were counted by
 // hand.
+#include "daemon/program/check.h"
+
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/program/check.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/support/temp_dir.h"
 
@@ -16,6 +19,7 @@ namespace scipd::daemon {
 namespace {
 
 using testing::AllOf;
+using testing::Each;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -89,6 +93,31 @@ TEST_F(CheckFile, CountsAMap) {
                       HasSubstr("size: 2 x 1 x 2 m from (0 0 0)")));
     EXPECT_THAT(said("torn.yaml", "image: none.pgm\nresolution: 0\norigin: [0, 0, 0]\n"),
                 AllOf(StartsWith("refused: torn.yaml:"), HasSubstr("resolution")));
+}
+
+TEST_F(CheckFile, RefusesOptionsOfWorldsForOtherFiles) {
+    const auto refusal = [&](const std::string& name, const std::string& content) {
+        dir_.write(name, content);
+        std::vector<std::string> refusals;
+        for (const bool of_xacro : {true, false}) {
+            Options options;
+            if (of_xacro) options.overrides.xacro = {{"naem", "x"}};
+            if (!of_xacro) options.overrides.geometry = sim::SdfGeometry::collision;
+            try {
+                refusals.push_back(check(dir_.path() / name, options));
+            } catch (const sim::LoadError& error) {
+                refusals.emplace_back(error.what());
+            }
+        }
+        return refusals;
+    };
+    for (const auto& [name, content] : std::vector<std::pair<std::string, std::string>>{
+             {"lap.tum", "0 0 0 0 0 0 0 1\n1 3 4 0 0 0 0 1\n"},
+             {"materials.yaml", "materials:\n  cork: {reflectivity: 0.3}\n"},
+             {"scenario.yaml", "steps:\n- {sensor: a/b, kind: reboot}\n"}}) {
+        EXPECT_THAT(refusal(name, content),
+                    Each(EndsWith(name + ": is no world: leave --xacro and --geometry out")));
+    }
 }
 
 TEST_F(CheckFile, TakesAModelOfGazebo) {
