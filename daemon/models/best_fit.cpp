@@ -97,12 +97,14 @@ std::string angle_text(const sim::Lidar& lidar) {
 }  // namespace
 
 double misfit(const Model& model, const sim::Lidar& lidar) {
-    constexpr double share_of_nearest = 0.1;
+    constexpr double weight_of_range = 2.0;
+    constexpr double weight_of_nearest = 0.1;
+    constexpr double weight_of_rate = 0.8;
     const sim::Lidar has = figures_of(model);
-    return range_apart(model, lidar) +
-           share_of_nearest * apart(has.min_range_m, lidar.min_range_m) +
+    return weight_of_range * range_apart(model, lidar) +
+           weight_of_nearest * apart(has.min_range_m, lidar.min_range_m) +
            view_apart(view_rad(has), view_rad(lidar)) + apart(step_rad(has), step_rad(lidar)) +
-           apart(has.rate_hz, lidar.rate_hz);
+           weight_of_rate * apart(has.rate_hz, lidar.rate_hz);
 }
 
 const Model& best_fit(const sim::Lidar& lidar) {

@@ -11,11 +11,12 @@
 
 namespace scipd::daemon {
 
-/// How far the product is from the lidar in range, angles, steps and rate. 0 means equal. Each
-/// figure that is off by a factor of e adds 1, but the nearest range adds a tenth of that, and a
-/// field of view that is too narrow four times as much. Figures that the world's file leaves open
-/// add nothing. A product has two farthest ranges: the one that its data sheet guarantees and the
-/// one that it reports (DMAX). The closer one counts.
+/// Distance of the product from the lidar in field of view, range, step and rate; 0 means equal.
+/// A figure that is off by a factor of e adds its weight: 4 for a field of view that is too narrow
+/// and 1 for one that is too wide, 2 for the farthest range, 1 for the angle between two steps, 0.8
+/// for the rate, 0.1 for the nearest range. Figures that the world's file leaves open add 0. A
+/// product has two farthest ranges: the one that its data sheet guarantees and the one that it
+/// reports (DMAX). The closer one counts.
 double misfit(const Model& model, const sim::Lidar& lidar);
 
 /// The product with the least misfit; of several the one that comes first in `--list-models`.

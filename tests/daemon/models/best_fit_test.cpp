@@ -5,6 +5,7 @@
 #include "daemon/models/best_fit.h"
 
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -65,14 +66,20 @@ TEST(BestFit, CountsFactorsEitherWay) {
     for (const double factor : {2.0, 0.5}) {
         sim::Lidar lidar = hokuyo();
         lidar.rate_hz *= factor;
-        EXPECT_NEAR(misfit(ust, lidar), 0.6931, 1e-3);
+        EXPECT_NEAR(misfit(ust, lidar), 0.8 * 0.6931, 1e-3);
     }
     // Beyond the 30 m that it reports, below the 10 m that are guaranteed.
     for (const double range_m : {60.0, 5.0}) {
         sim::Lidar lidar = hokuyo();
         lidar.max_range_m = range_m;
-        EXPECT_NEAR(misfit(ust, lidar), 0.6931, 1e-3);
+        EXPECT_NEAR(misfit(ust, lidar), 2 * 0.6931, 1e-3);
     }
+    // A field of view that is too narrow.
+    sim::Lidar wide = hokuyo();
+    wide.samples = 1441;
+    wide.min_angle_rad = -std::numbers::pi;
+    wide.max_angle_rad = std::numbers::pi;
+    EXPECT_NEAR(misfit(ust, wide), 4 * 0.2877, 1e-3);
 }
 
 /// 270 degrees at 40 Hz.
@@ -134,6 +141,16 @@ TEST(BestFit, HasTheFieldOfViewBeforeTheRate) {
     narrow.max_angle_rad = 1.6580;
     narrow.rate_hz = 20.0;
     EXPECT_EQ(best(narrow), "UXM-30LX-E");
+}
+
+// A UST-05LX has their steps, and sees half as far.
+TEST(BestFit, HasTheRangeBeforeTheSteps) {
+    for (const double rate_hz : {0.0, 10.0, 20.0, 40.0, 50.0}) {
+        sim::Lidar lidar = of_data_sheet(0.1, 29.0, 541);
+        lidar.rate_hz = rate_hz;
+        EXPECT_EQ(best(lidar), "UTM-30LX") << rate_hz;
+        EXPECT_GT(misfit(find_model("UST-05LX"), lidar), misfit(find_model("UST-10LX"), lidar));
+    }
 }
 
 TEST(BestFit, WhatTheFileLeavesOpenCountsNothing) {
