@@ -114,6 +114,25 @@ test('latency has ticks at round numbers, and none without a client', async ({pa
   await expect(page.locator('.histogram')).toBeHidden();
 });
 
+test('a card shows the client that waits', async ({page, start}) => {
+  const daemon = await start();
+  await open(page, daemon);
+  const clients = page.locator('#sensors .facts div').filter({hasText: 'Clients'}).locator('dd');
+  await expect(clients).toHaveText('0');
+  const first = await Scip.connect(daemon.port);
+  await first.ask('VV');
+  const second = await Scip.connect(daemon.port);
+  const {address, port} = second.socket.address();
+  await expect(clients).toHaveText(`1 connected, 1 waiting: ${address}:${port}`);
+  const third = await Scip.connect(daemon.port);
+  await expect(clients).toHaveText(`1 connected, 2 waiting: ${address}:${port} and 1 more`);
+  third.close();
+  first.close();
+  await second.ask('VV');
+  await expect(clients).toHaveText('1');
+  second.close();
+});
+
 test('many scanners are rows, which one finds and ticks together', async ({page, start}, info) => {
   const daemon = await start(rig(info, 3));
   await open(page, daemon, '#show=');

@@ -85,15 +85,16 @@ export class SensorCard {
     return hertz(this.status.rates.sent.get(this.name));
   }
 
-  briefOf({clients, lost, lateness_ms: {p99}}) {
+  briefOf({clients, waiting, lost, lateness_ms: {p99}}) {
     const sent = clients ? `${this.sentRate} to ${clients === 1 ? 'a client' : `${clients} clients`}` : 'no client';
-    return [sent, ...p99 === null ? [] : [`${ms(p99)} late`], `${lost} lost`].join(' · ');
+    return [sent, ...waiting.length ? [`${waiting.length} waiting`] : [], ...p99 === null ? [] : [`${ms(p99)} late`],
+      `${lost} lost`].join(' · ');
   }
 
   factsOf(sensor) {
     const {p50, p99, max} = sensor.lateness_ms;
     return [
-      ['Clients', sensor.clients, 'connected now'],
+      ['Clients', clientsOf(sensor), 'a scanner serves one TCP client at a time; the next ones wait'],
       ['Rate', sensor.clients ? this.sentRate : '–', 'scans per second to drivers'],
       ['Lost', sensor.lost, 'scans that a driver missed'],
       ['Cast', hertz(this.status.rates.scans.get(this.name)), 'scans cast per second, for drivers and pages'],
@@ -126,6 +127,13 @@ export class SensorCard {
     this.picture.hidden = scan?.kind !== 'picture';
     if (!this.picture.hidden) pictureOf(scan, this.picture);
   }
+}
+
+/** The client that waits next is named: scipd has accepted its connection, and it gets no answer. */
+function clientsOf({clients, waiting: [next, ...others]}) {
+  if (!next) return clients;
+  const more = others.length ? ` and ${others.length} more` : '';
+  return `${clients} connected, ${others.length + 1} waiting: ${next}${more}`;
 }
 
 function ms(value) {
