@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "testing/sensor_view.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
@@ -20,16 +21,17 @@ using namespace std::chrono_literals;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// In lockstep time goes on so far at once, while somebody waits for a scan: less than a turn of any
-// scanner.
+// Step of time in lockstep while a client waits for a truth; less than a revolution of any scanner.
 constexpr TestClock::Seconds part_of_a_turn = 20ms;
+// Shortest step between two sweeps, for scanners that measure nearly all around.
+constexpr TestClock::Seconds shortest_step = 500us;
 // A scanner whose TCP port somebody else uses lets a second client wait.
 constexpr auto free_patience = 1s;
 // Those of a second, of the fastest scanner.
 constexpr int most_turns_kept = 100;
 
-/// The next turn with intensities, unless the model has none.
-client::ScanMessage take_turn(client::Driver& driver, const client::Parameters& parameters) {
+/// Requests the next turn, with intensities unless the model has none.
+void request_turn(client::Driver& driver, const client::Parameters& parameters) {
     client::ScanRequest request{.first_step = parameters.amin, .last_step = parameters.amax};
     request.intensity = true;
     request.scans = 1;
@@ -40,7 +42,6 @@ client::ScanMessage take_turn(client::Driver& driver, const client::Parameters& 
         request.intensity = false;
         driver.start(request);
     }
-    return driver.next_scan();
 }
 
 Scan scan_of(const std::string& sensor, const client::Parameters& parameters,
@@ -104,7 +105,11 @@ SensorView::SensorView(Running& running, TestClock& clock, const std::string& na
       told_(running.sensor(name)),
       name_(told_.at("name")),
       path_(sensor_path(name_)) {
-    if (clock.leads()) meanwhile_ = [&clock] { clock.run(part_of_a_turn); };
+    if (!clock.leads()) return;
+    meanwhile_ = [this] {
+        const TestClock::Seconds sweep = std::exchange(sweep_, {});
+        clock_.run(sweep.count() > 0 ? sweep : step_);
+    };
 }
 
 Scan SensorView::next_scan(milliseconds timeout) try {
@@ -116,7 +121,11 @@ Scan SensorView::next_scan(milliseconds timeout) try {
     const client::Parameters parameters = driver.parameters();
     front_step_ = parameters.afrt;
     steps_per_turn_ = parameters.ares;
-    return scan_of(name_, parameters, take_turn(driver, parameters));
+    request_turn(driver, parameters);
+    const TestClock::Seconds turn = 1min / static_cast<double>(parameters.scan_rpm);
+    sweep_ = turn * parameters.amax / parameters.ares;
+    step_ = std::max(shortest_step, (turn - sweep_) / 2);
+    return scan_of(name_, parameters, driver.next_scan());
 } catch (const client::Error& error) {
     throw explained(error.what());
 } catch (const std::system_error& error) {

@@ -17,6 +17,8 @@ class SensorView {
   public:
     /// `name`: as Running::sensor() takes it.
     SensorView(Running& running, TestClock& clock, const std::string& name);
+    SensorView(const SensorView&) = delete;
+    SensorView& operator=(const SensorView&) = delete;
 
     /// The next whole turn, over the wire as a driver gets it. Throws NoScan.
     [[nodiscard]] Scan next_scan(std::chrono::milliseconds timeout);
@@ -38,6 +40,10 @@ class SensorView {
     std::string name_;
     std::string path_;
     ScannerLine::Meanwhile meanwhile_;
+    // Steps of time in lockstep: first the sweep of a revolution, then half of the gap between two
+    // sweeps. So time stands before the next revolution begins, and a change holds for all of that.
+    TestClock::Seconds sweep_{};      ///< 0 once it has passed
+    TestClock::Seconds step_{0.002};  ///< until the scanner's parameters are known
     // How steps become angles; 0 where nobody has told, as of a camera.
     int front_step_ = 0;
     int steps_per_turn_ = 0;

@@ -6,9 +6,11 @@
 #include <chrono>
 #include <fstream>
 #include <future>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -39,6 +41,32 @@ TEST_F(Lockstep, GoesOnByWhatWasAskedFor) {
     EXPECT_EQ(scipd.scan().at(0), 2.0);
     EXPECT_NEAR(scipd.truth().at(0)->range_m, 2.0, 1e-6);
     EXPECT_LT(scipd.clock().time_s(), 21);
+}
+
+TEST(LockstepScans, AreConsecutiveRevolutions) {
+    for (const char* const model : {"UST-10LX", "URG-04LX", "UXM-30LX-E"}) {
+        Scipd scipd({.world = room, .model = model, .clock = ClockKind::poses});
+        int number = scipd.truth(scipd.scan()).raw.at("scan");
+        for (int i = 0; i < 10; ++i) {
+            const int next = scipd.truth(scipd.scan()).raw.at("scan");
+            EXPECT_EQ(next, number + 1) << model;
+            number = next;
+        }
+    }
+}
+
+TEST_F(Lockstep, WhatChangesBetweenTwoScansHoldsForAllOfTheNext) {
+    Scipd& scipd = start({.world = room, .clock = ClockKind::poses, .accuracy = "ideal"});
+    constexpr double left = std::numbers::pi / 2;
+    (void)scipd.scan();
+    for (const auto& [x_m, y_m] :
+         std::vector<std::pair<double, double>>{{1, 0}, {-1, -0.5}, {0.5, 1}}) {
+        scipd.robot().set_pose({x_m, y_m, 0});
+        const Scan scan = scipd.scan();
+        EXPECT_NEAR(scan.at(-left).value(), 2 + y_m, 1e-3);
+        EXPECT_NEAR(scan.at(0).value(), 3 - x_m, 1e-3);
+        EXPECT_NEAR(scan.at(left).value(), 2 - y_m, 1e-3);
+    }
 }
 
 TEST_F(Lockstep, MovesRobotsAndModels) {
