@@ -105,8 +105,7 @@ TEST_F(SdfRepair, WhatIsNeitherShapeNorPlaceCostsItselfOnly) {
         warnings_,
         ElementsAre(
             HasSubstr("m: its <static> 'maybe' cannot be read: write true or false; ignored"),
-            HasSubstr("m::l::v: its <laser_retro> 'x' cannot be read; "
-                      "ignored")));
+            HasSubstr("m::l::v: its <laser_retro> 'x' cannot be read: write a number; ignored")));
 }
 
 TEST_F(SdfRepair, FramesThatAreNotThere) {
