@@ -14,7 +14,7 @@ namespace scipd::sim {
 
 /// In 32 or 64 bits.
 template <typename Number>
-requires std::same_as<Number, std::uint32_t> || std::same_as<Number, std::uint64_t>
+    requires std::same_as<Number, std::uint32_t> || std::same_as<Number, std::uint64_t>
 [[nodiscard]] constexpr Number fnv1a(std::string_view text) {
     constexpr bool wide = sizeof(Number) == sizeof(std::uint64_t);
     Number number = wide ? Number(14695981039346656037ULL) : Number(2166136261U);

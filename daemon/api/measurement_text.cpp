@@ -109,7 +109,7 @@ void add_echoes(ObjectText& text, const sim::PerBeam<sim::Echo>& echoes, const s
 }
 
 void add_sent_echoes(ObjectText& text, const std::vector<protocol::StepEchoes>& steps) {
-    const auto add = [&](std::string_view name, std::uint32_t protocol::Echo::*value) {
+    const auto add = [&](std::string_view name, auto value) {
         text.add_list(name, steps, [&](std::string& list, const auto& step) {
             const std::span told(step.echo.data(), static_cast<std::size_t>(step.count));
             append_list(list, told,

@@ -64,7 +64,7 @@ MetricFamily of_each(const AllCounted& sensors, const char* name, const char* he
 /// A counter for each entry of one of the maps of each sensor. Its key becomes this label.
 template <class Map, class Count>
 MetricFamily of_entries(const AllCounted& sensors, const char* name, const char* help,
-                        const char* label, Map SensorCounts::*map, Count count) {
+                        const char* label, Map map, Count count) {
     MetricFamily family{name, help, MetricType::Counter, {}};
     for (const Counted& sensor : sensors) {
         for (const auto& [key, entry] : sensor.counts.*map) {

@@ -126,13 +126,11 @@ Expected<> read_pose(const RequestJson& object, AddModel& edit) {
 }
 
 Expected<> read_name(const RequestJson& object, std::string& name) {
-    return require(object, "name")
-        .and_then([&] { return read_text(object, "name", name); })
-        .and_then([&] {
-            return sim::check_name(name).map_error([](const sim::Fault& fault) {
-                return sim::Fault{"name", "name " + fault.why};
-            });
-        });
+    if (const auto given = require(object, "name"); !given) return given;
+    if (const auto read = read_text(object, "name", name); !read) return read;
+    if (const auto good = sim::check_name(name); !good)
+        return refuse("name", "name " + good.error().why);
+    return {};
 }
 
 Expected<> read_scale(const RequestJson& object, double& scale) {

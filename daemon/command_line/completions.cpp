@@ -39,8 +39,8 @@ std::string values_of(const CLI::Option& option) {
     } else if (type.find('|') == type.npos || std::any_of(type.begin(), type.end(), ::isupper)) {
         return {};
     }
-    std::replace_if(
-        type.begin(), type.end(), [](char c) { return c == ',' || c == '|'; }, ' ');
+    const auto separates = [](char c) { return c == ',' || c == '|'; };
+    std::ranges::replace_if(type, separates, ' ');
     return type;
 }
 

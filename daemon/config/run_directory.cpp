@@ -64,7 +64,7 @@ void make_folder(const std::filesystem::path& folder) {
 // In /tmp somebody else may have been first, with a folder or a link of his own.
 void make_private_folder(const std::filesystem::path& folder) {
     if (::mkdir(folder.c_str(), S_IRWXU) == 0) return;
-    struct stat status {};
+    struct stat status = {};
     if (::lstat(folder.c_str(), &status) != 0) {
         throw std::runtime_error("cannot make the folder " + folder.string() + ": " +
                                  std::generic_category().message(errno) +

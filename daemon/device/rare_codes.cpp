@@ -15,8 +15,10 @@ bool has_range(std::span<const Reading> readings, std::size_t beam) {
     return beam < readings.size() && readings[beam].cause == Cause::measured;
 }
 
+using Share = double RareCode::*;
+
 /// Null where the cause has one code only.
-double RareCode::*share_at(std::span<const Reading> readings, std::size_t beam) {
+Share share_at(std::span<const Reading> readings, std::size_t beam) {
     switch (readings[beam].cause) {
         case Cause::edge:
             return &RareCode::edge;
@@ -31,7 +33,7 @@ double RareCode::*share_at(std::span<const Reading> readings, std::size_t beam) 
 }
 
 /// The one that the chance chose for the beam's group, if any.
-const RareCode* drawn(std::uint16_t chance, std::size_t beam, double RareCode::*share,
+const RareCode* drawn(std::uint16_t chance, std::size_t beam, Share share,
                       std::span<const RareCode> rare_codes) {
     constexpr double values = 0x10000 / sim::code_group;
     const std::size_t place = chance % sim::code_group;  // of the group's code that stands alone
@@ -55,7 +57,7 @@ bool stands_alone(std::uint32_t code, std::span<const RareCode> rare_codes) {
 void put_rare_codes(std::span<const Reading> readings, const protocol::DeviceProfile& profile,
                     std::span<std::uint32_t> distance) {
     for (std::size_t beam = 0; beam < readings.size(); ++beam) {
-        double RareCode::*const share = share_at(readings, beam);
+        const Share share = share_at(readings, beam);
         if (share == nullptr) continue;
         if (const auto* rare = drawn(readings[beam].chance, beam, share, profile.rare_codes))
             distance[beam] = rare->code;

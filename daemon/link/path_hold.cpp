@@ -51,8 +51,8 @@ void refuse_what_is_not_ours(const fs::path& path, const fs::path& lock, const s
 }
 
 bool is_still(const fs::path& lock, int descriptor) {
-    struct stat named {};
-    struct stat opened {};
+    struct stat named = {};
+    struct stat opened = {};
     return ::lstat(lock.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 &&
            named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
 }
@@ -61,7 +61,7 @@ int open_lock(const fs::path& path, const fs::path& lock) {
     const int descriptor =
         ::open(lock.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR);
     const std::error_code error(errno, std::generic_category());
-    struct stat found {};
+    struct stat found = {};
     if (descriptor < 0) {
         if (::lstat(lock.c_str(), &found) == 0) refuse_what_is_not_ours(path, lock, found);
         throw std::system_error(error, lock.string());

@@ -29,7 +29,7 @@ auto in_order(const timespec& at) {
 
 // As a program leaves it that opens a tty with O_CREAT.
 bool is_empty_since(const fs::path& path, const timespec& since) {
-    struct stat file {};
+    struct stat file = {};
     return ::lstat(path.c_str(), &file) == 0 && S_ISREG(file.st_mode) && file.st_size == 0 &&
            file.st_nlink == 1 && in_order(file.st_mtim) >= in_order(since);
 }
@@ -37,8 +37,8 @@ bool is_empty_since(const fs::path& path, const timespec& since) {
 // The numbers of terminals are given again: one that is younger than the link is not the one that
 // the link was made for, which is gone.
 bool leads_to_its_own(const fs::path& link) {
-    struct stat made {};
-    struct stat terminal {};
+    struct stat made = {};
+    struct stat terminal = {};
     if (::lstat(link.c_str(), &made) != 0 || ::stat(link.c_str(), &terminal) != 0) return false;
     return in_order(terminal.st_ctim) <= in_order(made.st_mtim);
 }

@@ -106,7 +106,7 @@ class LineSink {
 };
 
 bool is_regular_file(int descriptor) {
-    struct stat status {};
+    struct stat status = {};
     return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 

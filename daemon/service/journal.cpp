@@ -17,7 +17,7 @@ namespace scipd::daemon {
 // nobody takes entries, as in a sandbox without /run/systemd, its library drops them silently.
 bool leads_to_journal(int descriptor) {
     const char* const stream = std::getenv("JOURNAL_STREAM");
-    struct stat status {};
+    struct stat status = {};
     if (stream == nullptr || ::fstat(descriptor, &status) != 0) return false;
     if (::access("/run/systemd/journal/socket", W_OK) != 0) return false;
     return stream == std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino);

@@ -23,11 +23,14 @@ class Curve {
     /// Every comparison with NaN is false: no range, an infinite one included, lies beyond it.
     static constexpr Piece end{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0, 0.0};
 
+    template <class Point>
+    using Member = double Point::*;
+
   public:
     /// `points` have an argument that grows (`at`, mostly range_m) and a value. None: it is 0.
     template <class Point>
-    Curve(const std::vector<Point>& points, double Point::*value,
-          double Point::*at = &Point::range_m) {
+    Curve(const std::vector<Point>& points, Member<Point> value,
+          Member<Point> at = &Point::range_m) {
         constexpr double far_m = std::numeric_limits<double>::infinity();
         pieces_.reserve(points.size() + 2);
         pieces_.push_back({-far_m, points.empty() ? 0.0 : points.front().*value, 0.0, 0.0});

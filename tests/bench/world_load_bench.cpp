@@ -140,7 +140,9 @@ Cost cost_alone(const std::function<void()>& work) {
     return {passed_s, processor_s() - before_s, static_cast<double>(usage.ru_maxrss) / 1000.0};
 }
 
-double median_of(const std::vector<Cost>& costs, double Cost::*part) {
+using Part = double Cost::*;
+
+double median_of(const std::vector<Cost>& costs, Part part) {
     std::vector<double> values;
     for (const Cost& cost : costs)
         values.push_back(cost.*part);

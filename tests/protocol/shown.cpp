@@ -33,8 +33,8 @@ std::string milliseconds(Uptime time) {
 
 std::string test_name(const DeviceProfile& profile) {
     std::string name = profile.name + "_" + profile.release;
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    const auto is_no_letter = [](unsigned char c) { return std::isalnum(c) == 0; };
+    std::ranges::replace_if(name, is_no_letter, '_');
     return name;
 }
 

@@ -65,9 +65,9 @@ class ScanStages {
         costs.bare_cast_us = us_for_each(count, [this](std::size_t i) { cast_bare(i); });
         costs.poses_us = us_for_each(
             count, [this](std::size_t i) { scans_[i] = scanner_.begin(0, {}, poses(i)); });
-        costs.cast_us = us_for_each(count, [this](std::size_t i) {
-            scanner_.cast(backend_, scans_[i], {0, beams()}, {});
-        });
+        const sim::Beams all{0, beams()};
+        costs.cast_us =
+            us_for_each(count, [&](std::size_t i) { scanner_.cast(backend_, scans_[i], all, {}); });
         costs.errors_us =
             us_for_each(count, [this](std::size_t i) { scanner_.read(scans_[i], {}); });
         costs.encode_us = encode_us();

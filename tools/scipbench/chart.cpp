@@ -55,7 +55,9 @@ void draw_paper(PlotArea& area, const std::vector<Table3Row>& rows) {
     }
 }
 
-AxisRange around(const ComparedScans& scans, double glm::dvec3::*axis) {
+using Axis = double glm::dvec3::*;
+
+AxisRange around(const ComparedScans& scans, Axis axis) {
     AxisRange range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest(),
                     false};
     for (const glm::dvec3& hit : scans.hits_m) {

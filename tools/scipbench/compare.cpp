@@ -29,9 +29,8 @@ Scans cast_all(sim::RangeBackend& backend, const std::vector<glm::vec3>& directi
     Scans scans;
     for (const sim::Pose& pose : poses) {
         std::vector<sim::Hit>& hits = scans.emplace_back(directions.size());
-        ms.push_back(milliseconds_for([&] {
-            backend.cast({directions, {&pose, 1}, max_range_m}, hits);
-        }));
+        const sim::Fan fan{directions, {&pose, 1}, max_range_m};
+        ms.push_back(milliseconds_for([&] { backend.cast(fan, hits); }));
     }
     ms.erase(ms.begin());  // the first scan only warms up
     return scans;

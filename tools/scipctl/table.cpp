@@ -13,8 +13,8 @@ namespace {
 /// Removes line ends and tabs, so that no cell can look like another row.
 std::string in_a_line(const std::string& cell) {
     std::string text = sim::shown(cell);
-    std::ranges::replace_if(
-        text, [](char c) { return c == '\n' || c == '\t'; }, ' ');
+    const auto divides = [](char c) { return c == '\n' || c == '\t'; };
+    std::ranges::replace_if(text, divides, ' ');
     return text;
 }
 

@@ -133,8 +133,7 @@ class Writer {
         }
         std::ranges::stable_sort(rare, std::greater{}, &RareCodeAt::times);
         rare.resize(std::min(rare.size(), most_codes));
-        for (double RareCodeAt::*const member :
-             {&RareCodeAt::inside, &RareCodeAt::beside, &RareCodeAt::edge}) {
+        for (const auto member : {&RareCodeAt::inside, &RareCodeAt::beside, &RareCodeAt::edge}) {
             double all = 0.0;
             for (const RareCodeAt& one : rare)
                 all += one.*member * (one.alone ? apart : 1.0);

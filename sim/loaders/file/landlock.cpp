@@ -31,7 +31,7 @@ constexpr std::uint64_t held =
 void allow(int rules, const fs::path& path, std::uint64_t access) {
     const int file = open(path.c_str(), O_PATH | O_CLOEXEC);
     if (file < 0) return;
-    struct stat status {};
+    struct stat status = {};
     if (fstat(file, &status) == 0) {
         if (!S_ISDIR(status.st_mode)) access &= ~std::uint64_t{LANDLOCK_ACCESS_FS_READ_DIR};
         const landlock_path_beneath_attr rule{.allowed_access = access, .parent_fd = file};

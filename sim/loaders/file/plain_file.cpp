@@ -44,7 +44,7 @@ File stream_of(int descriptor, const char* mode) {
 
 Expected<> check_plain_file(const fs::path& path) {
     if (const auto allowed = check_allowed(path); !allowed) return allowed;
-    struct stat status {};
+    struct stat status = {};
     if (stat(path.c_str(), &status) == 0) return check_mode(status.st_mode);
     if (errno == ENOENT || errno == ENOTDIR) return refuse("no such file");
     return refuse("cannot be accessed: " + reason(errno));
@@ -61,7 +61,7 @@ File open_file(const fs::path& path) {
     const fs::path opened = "/proc/self/fd/" + std::to_string(descriptor);
     if (const auto allowed = check_allowed(opened); !allowed)
         throw std::runtime_error(allowed.error().why);
-    struct stat status {};
+    struct stat status = {};
     fstat(descriptor, &status);
     if (const auto plain = check_mode(status.st_mode); !plain)
         throw std::runtime_error(plain.error().why);
@@ -99,7 +99,7 @@ std::string read_file(const fs::path& path, std::uintmax_t most_bytes, const std
     try {
         const File file = open_file(path);
         // Files in /proc report a size of 0 and read as empty.
-        struct stat status {};
+        struct stat status = {};
         fstat(fileno(file.get()), &status);
         const auto size = static_cast<std::uintmax_t>(status.st_size);
         if (size > most_bytes)

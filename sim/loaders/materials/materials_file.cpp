@@ -26,8 +26,9 @@ constexpr int longest_nm = 2000;
 
 /// A key of an entry that is one number.
 struct NumberKey {
+    using Target = double MaterialOptics::*;
     std::string_view key;
-    double MaterialOptics::*target;
+    Target target;
     double low;
     double high;
     const char* advice;

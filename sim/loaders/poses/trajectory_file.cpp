@@ -85,10 +85,8 @@ Trajectory read_kitti(std::string_view text, const std::optional<Stamps>& stamps
         const std::size_t index = count++;
         if (stamps && index >= stamps->times.size()) return;
         const Time time = stamps ? stamps->times[index] : static_cast<Time::rep>(index) * frame;
-        add(parse_kitti_line(line).map([&](const Pose& pose) {
-            return TimedPose{time, pose};
-        }),
-            draft);
+        const auto at_time = [&](const Pose& pose) -> TimedPose { return {time, pose}; };
+        add(parse_kitti_line(line).map(at_time), draft);
     });
     if (stamps) compare_counts(count, *stamps, draft);
     return std::move(draft).finish("r11 r12 r13 x r21 r22 r23 y r31 r32 r33 z");

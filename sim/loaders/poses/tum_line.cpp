@@ -76,10 +76,10 @@ Expected<TimedPose> parse_tum_line(std::string_view line) {
     }
     const glm::dvec3 xyz_m{value[1], value[2], value[3]};
     if (!plausible_position(xyz_m)) return refuse("tx ty tz must lie within 1e7 m of the origin");
-    return quaternion_in_file({value[4], value[5], value[6], value[7]}, "qx qy qz qw")
-        .map([&](const glm::dquat& rotation) {
-            return TimedPose{*time, {xyz_m, rotation}};
-        });
+    const auto rotation =
+        quaternion_in_file({value[4], value[5], value[6], value[7]}, "qx qy qz qw");
+    if (!rotation) return tl::unexpected(rotation.error());
+    return TimedPose{*time, {xyz_m, *rotation}};
 }
 
 }  // namespace scipd::sim

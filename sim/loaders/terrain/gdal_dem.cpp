@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -151,8 +152,7 @@ void fill_and_measure(GDALRasterBandH band, HeightGrid& grid) {
         high = std::max(high, value);
     }
     if (low > high) refuse_terrain("has no valid elevation");
-    std::ranges::replace_if(
-        grid.values, [&](float value) { return !is_known(value); }, low);
+    std::ranges::replace_if(grid.values, std::not_fn(is_known), low);
     grid.low = low;
     grid.high = high;
 }

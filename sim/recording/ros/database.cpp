@@ -30,8 +30,8 @@ void distrust(sqlite3* database) {
     sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_limit(database, SQLITE_LIMIT_LENGTH, static_cast<int>(largest_block));
-    sqlite3_progress_handler(
-        database, most_operations, [](void*) { return 1; }, nullptr);
+    const auto stop = [](void*) { return 1; };
+    sqlite3_progress_handler(database, most_operations, stop, nullptr);
 }
 
 }  // namespace

@@ -43,10 +43,10 @@ struct CoreSlam {
 
     static bool has(const std::vector<double>& row) {
         constexpr double no_range = 65536;  // so it is a time
+        const auto is_whole = [](double range) { return range == std::floor(range); };
         return row.size() >= in_front + steps && row.size() <= in_front + steps + 1 &&
                row.front() >= no_range && row.front() < 1e15 &&
-               std::all_of(row.begin() + in_front, row.end(),
-                           [](double range) { return range == std::floor(range); });
+               std::all_of(row.begin() + in_front, row.end(), is_whole);
     }
     static ScannerIdentity identity() {
         return {.model = "URG-04LX",

@@ -11,9 +11,12 @@
 namespace scipd::sim {
 namespace {
 
+template <class Value>
+using Member = Value ScannerIdentity::*;
+
 struct TextField {
     const char* key;
-    std::string ScannerIdentity::*value;
+    Member<std::string> value;
 };
 constexpr std::array text_fields = {
     TextField{"model", &ScannerIdentity::model},
@@ -23,7 +26,7 @@ constexpr std::array text_fields = {
 
 struct NumberField {
     const char* key;
-    std::optional<double> ScannerIdentity::*value;
+    Member<std::optional<double>> value;
 };
 constexpr std::array number_fields = {
     NumberField{"min_range_m", &ScannerIdentity::min_range_m},
@@ -33,7 +36,7 @@ constexpr std::array number_fields = {
 
 struct StepField {
     const char* key;
-    std::optional<int> ScannerIdentity::*value;
+    Member<std::optional<int>> value;
 };
 constexpr std::array step_fields = {
     StepField{"steps_per_turn", &ScannerIdentity::steps_per_turn},
@@ -42,7 +45,7 @@ constexpr std::array step_fields = {
 
 struct AnswerField {
     std::string_view prefix;
-    Entries ScannerIdentity::*value;
+    Member<Entries> value;
 };
 constexpr std::array answer_fields = {
     AnswerField{"VV.", &ScannerIdentity::version},

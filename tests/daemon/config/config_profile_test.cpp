@@ -96,6 +96,7 @@ std::vector<Case> words() {
 
 /// What it measures and which commands it has.
 std::vector<Case> abilities() {
+    static const std::vector<int> two_rates{9600, 19200};
     using enum protocol::Support;
     return {
         {"first_step", "44", "URG-04LX", [](Profile p) { p.first_step = 44; }},
@@ -127,10 +128,7 @@ std::vector<Case> abilities() {
         {"microseconds", "true", "UST-10LX", [](Profile p) { p.microseconds = true; }},
         {"io_lines", "true", "UST-10LX", [](Profile p) { p.io_lines = true; }},
         {"intensity_codes", "false", "URG-04LX", [](Profile p) { p.intensity_codes = false; }},
-        {"bit_rates", "[9600, 19200]", "URG-04LX",
-         [](Profile p) {
-             p.bit_rates = {9600, 19200};
-         }},
+        {"bit_rates", "[9600, 19200]", "URG-04LX", [](Profile p) { p.bit_rates = two_rates; }},
         {"motor_levels", "false", "URG-04LX", [](Profile p) { p.motor_levels = false; }},
         {"sensitivity", "never", "URG-04LX", [](Profile p) { p.sensitivity = never; }},
         {"rehearsals", "yes", "URG-04LX", [](Profile p) { p.rehearsals = yes; }},

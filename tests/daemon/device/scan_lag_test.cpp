@@ -95,8 +95,8 @@ TEST_P(ScanLag, OfSingleScansIsThatOfAStream) {
 
 INSTANTIATE_TEST_SUITE_P(EveryModel, ScanLag, testing::ValuesIn(models()), [](const auto& model) {
     std::string name = model.param.profile.name + "_" + model.param.profile.release;
-    std::ranges::replace_if(
-        name, [](char c) { return c == '-' || c == '.'; }, '_');
+    const auto separates = [](char c) { return c == '-' || c == '.'; };
+    std::ranges::replace_if(name, separates, '_');
     return name;
 });
 

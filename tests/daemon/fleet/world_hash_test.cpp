@@ -32,12 +32,8 @@ TEST(WorldHash, ChangesWithAllThatCastsOrMoves) {
         [](sim::Scene& scene) { scene.models[0].movable = false; },
         [](sim::Scene& scene) { scene.models[1].world_from_model.translation_m.x = 1e-5; },
         [](sim::Scene& scene) { scene.models[1].world_from_model.translation_m.x = -1e-5; },
-        [](sim::Scene& scene) {
-            scene.models[0].world_from_model.rotation = {0, 1, 0, 0};
-        },
-        [](sim::Scene& scene) {
-            scene.objects[0].shape = sim::Box{{1, 1, 2}};
-        },
+        [](sim::Scene& scene) { scene.models[0].world_from_model.rotation.x = 1; },
+        [](sim::Scene& scene) { std::get<sim::Box>(scene.objects[0].shape).size_m.z = 2; },
         [](sim::Scene& scene) { scene.objects[0].shape = sim::Sphere{1}; },
         [](sim::Scene& scene) { scene.objects[0].material = 0; },
         [](sim::Scene& scene) { scene.objects[0].model = 1; },

@@ -857,7 +857,7 @@ TEST_F(HttpServerTest, TheSocketIsForItsUserAndGroupAndGoesAtTheEnd) {
     const mode_t before = ::umask(077);
     start();
     ::umask(before);
-    struct stat status {};
+    struct stat status = {};
     ASSERT_EQ(::stat(socket_path_.c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 0777, 0660u);
     EXPECT_EQ(status.st_gid, ::getegid());
@@ -866,7 +866,7 @@ TEST_F(HttpServerTest, TheSocketIsForItsUserAndGroupAndGoesAtTheEnd) {
 }
 
 TEST_F(HttpServerTest, ReplacesASocketThatWasLeftBehind) {
-    { Local::acceptor dead{client_io_, Local::endpoint{socket_path_.string()}}; }
+    Local::acceptor(client_io_, Local::endpoint(socket_path_.string())).close();
     ASSERT_TRUE(std::filesystem::exists(socket_path_));
     start();
     EXPECT_THAT(ask(connect_local(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),

@@ -118,7 +118,7 @@ TEST_F(PtyPortTest, MakesItsLinkAndTakesItAway) {
 
 TEST_F(PtyPortTest, LetsItsGroupInAndNobodyElse) {
     const auto port = make(link_);
-    struct stat tty {};
+    struct stat tty = {};
     ASSERT_EQ(::stat(link_.c_str(), &tty), 0);
     EXPECT_EQ(tty.st_mode & ALLPERMS, 0660U);
     EXPECT_EQ(tty.st_gid, ::getegid());

@@ -121,8 +121,8 @@ TEST(UstSight, CallsReflectorsWhatARecordingCallsThem) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Sights, testing::ValuesIn(models()), [](const auto& model) {
     std::string name = model.param.profile.name + "_" + model.param.profile.release;
-    std::ranges::replace_if(
-        name, [](char c) { return std::isalnum(c) == 0; }, '_');
+    const auto is_no_letter = [](char c) { return std::isalnum(c) == 0; };
+    std::ranges::replace_if(name, is_no_letter, '_');
     return name;
 });
 

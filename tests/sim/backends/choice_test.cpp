@@ -63,8 +63,8 @@ class Choosing : public testing::Test {
         std::vector<Contender> contenders;
         for (const auto& paced : paced_)
             contenders.push_back({paced->name(), paced.get()});
-        return choose(
-            contenders, fans_, [this] { return clock_; }, limits_);
+        const auto clock = [this] { return clock_; };
+        return choose(contenders, fans_, clock, limits_);
     }
     /// A pose for each of so many beams.
     void sweep_with_poses(std::size_t poses) {

@@ -153,19 +153,21 @@ double wall_m(std::size_t beam, double corner_rad) {
     return 2.0 / std::cos(corner_rad + (beam < 200 ? aside_rad : -aside_rad));
 }
 
+Seen another_object(std::size_t beam) {
+    return {3.0, beam < 200 ? 1U : 2U};
+}
+
+Seen a_jump(std::size_t beam) {
+    return {beam < 200 ? 3.0 : 3.1, 1};
+}
+
+Seen a_corner(std::size_t beam) {
+    return {wall_m(beam, 0.785), 1};
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Borders,
-                         testing::Values(Border{"another_object",
-                                                [](std::size_t beam) {
-                                                    return Seen{3.0, beam < 200 ? 1U : 2U};
-                                                }},
-                                         Border{"a_jump",
-                                                [](std::size_t beam) {
-                                                    return Seen{beam < 200 ? 3.0 : 3.1, 1};
-                                                }},
-                                         Border{"a_corner",
-                                                [](std::size_t beam) {
-                                                    return Seen{wall_m(beam, 0.785), 1};
-                                                }}),
+                         testing::Values(Border{"another_object", another_object},
+                                         Border{"a_jump", a_jump}, Border{"a_corner", a_corner}),
                          [](const auto& border) { return border.param.what; });
 
 // A chance of each beam alone: it does not matter how many others are looked at.

@@ -190,8 +190,8 @@ TEST(ScipcatCompare, SaysWhyADriveHasNoFloor) {
 
 TEST(ScipcatCompare, TakesNoMultipleOfNothing) {
     const TempDir directory;
-    const auto ideal = write_scans(
-        directory, "ideal.jsonl", [](int, int) { return 1000; }, 0);
+    const auto steady = [](int, int) { return 1000; };
+    const auto ideal = write_scans(directory, "ideal.jsonl", steady, 0);
     const auto real = write_scans(directory, "real.jsonl",
                                   [](int scan, int step) { return 1000 + noise_mm(scan, step); });
     expect_numbers({ideal, real});

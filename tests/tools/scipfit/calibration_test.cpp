@@ -266,11 +266,9 @@ TEST(Calibration, TellsNoOffsetOfOneWallHeadOn) {
 TEST(Calibration, RefusesAPoseFromWhereTheWorldLooksOtherwise) {
     const Readings readings = standing_at({places()[0]});
     auto world = known_hall();
-    EXPECT_THAT(
-        [&] {
-            (void)calibrate_in(world, tools::look_at(readings), by_hand({{2.0, 1.0, 2.5}}));
-        },
-        ThrowsMessage<tools::WrongInput>(HasSubstr("are the poses right?")));
+    const auto elsewhere = by_hand({{2.0, 1.0, 2.5}});
+    EXPECT_THAT([&] { (void)calibrate_in(world, tools::look_at(readings), elsewhere); },
+                ThrowsMessage<tools::WrongInput>(HasSubstr("are the poses right?")));
 }
 
 }  // namespace

@@ -231,21 +231,14 @@ TEST(Fit, TellsTheBiasByALength) {
 
 TEST(Fit, RefusesLengthsThatCannotBe) {
     const Readings readings = standing(60);
-    EXPECT_THAT(
-        [&] {
-            (void)fit(readings, {{180, 2000, 6.0}});
-        },
-        ThrowsMessage<tools::WrongInput>("--length: step 2000 is not recorded"));
-    EXPECT_THAT(
-        [&] {
-            (void)fit(readings, {{500, 501, 6.0}});
-        },
-        ThrowsMessage<tools::WrongInput>(HasSubstr("name two that are far apart")));
-    EXPECT_THAT(
-        [&] {
-            (void)fit(readings, {{180, 900, 4000.0}});  // in millimetres
-        },
-        ThrowsMessage<tools::WrongInput>(HasSubstr("m between them, not 4000.000 m")));
+    const auto expect_refused = [&](const tools::Length& length, const auto& message) {
+        EXPECT_THAT([&] { (void)fit(readings, {length}); },
+                    ThrowsMessage<tools::WrongInput>(message));
+    };
+    expect_refused({180, 2000, 6.0}, "--length: step 2000 is not recorded");
+    expect_refused({500, 501, 6.0}, HasSubstr("name two that are far apart"));
+    constexpr double in_mm = 4000.0;
+    expect_refused({180, 900, in_mm}, HasSubstr("m between them, not 4000.000 m"));
     for (const char* text : {"", "180", "180:900", "a:900=3m", "180:900=-3m", "180:900=x"})
         EXPECT_THAT([&] { (void)tools::parse_length_between(text); },
                     ThrowsMessage<tools::WrongInput>(HasSubstr("must be STEP:STEP=METRES")))

@@ -101,12 +101,10 @@ TEST(ReadReadings, RefusesWhatIsNotOfOneScanner) {
     EXPECT_THAT([&] { (void)read(Scans({scan({500})}), first); },
                 ThrowsMessage<WrongInput>(HasSubstr("file: has scans of 1 steps after others of "
                                                     "2; name recordings of one scanner")));
-    EXPECT_THAT(
-        [&] {
-            (void)read(Scans({scan({500, 600})}, "UTM-30LX"), first);
-        },
-        ThrowsMessage<WrongInput>(HasSubstr("file: is of a UTM-30LX, the recording before "
-                                            "of a UST-10LX")));
+    const std::vector<RecordedScan> scans{scan({500, 600})};
+    EXPECT_THAT([&] { (void)read(Scans(scans, "UTM-30LX"), first); },
+                ThrowsMessage<WrongInput>(HasSubstr("file: is of a UTM-30LX, the recording before "
+                                                    "of a UST-10LX")));
     EXPECT_THAT([] { (void)read(Scans({})); }, ThrowsMessage<WrongInput>("file: holds no scans"));
 }
 

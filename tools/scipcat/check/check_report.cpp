@@ -141,8 +141,8 @@ std::string as_junit(const CheckReport& report) {
 
 std::string in_ascii(std::string_view text) {
     std::string readable(text);
-    std::ranges::replace_if(
-        readable, [](char c) { return c < ' ' || c > '~'; }, '?');
+    const auto is_other = [](char c) { return c < ' ' || c > '~'; };
+    std::ranges::replace_if(readable, is_other, '?');
     return readable;
 }
 

@@ -41,6 +41,10 @@ Finding of_one_kind(Subject& subject) {
     return pass();
 }
 
+Finding both_in_order(Subject& subject) {
+    return in_order(subject, {"VV", "PP"});
+}
+
 Finding behind_stream(Subject& subject) {
     subject.rest();
     const std::string version = subject.ask("VV").raw;
@@ -74,10 +78,7 @@ Finding quit_behind_stream(Subject& subject) {
 }
 
 constexpr Check table_of_pipelining[] = {
-    {"11.1", "two requests in one write are answered in order", spec_queue,
-     [](Subject& subject) {
-         return in_order(subject, {"VV", "PP"});
-     }},
+    {"11.1", "two requests in one write are answered in order", spec_queue, both_in_order},
     {"11.2", "eight requests in one write are answered in order", spec_queue,
      [](Subject& subject) {
          return in_order(subject, {"VV", "PP", "II", "QT", "VV;a", "PP;b", "II;c", "QT;d"});

@@ -82,7 +82,7 @@ void tell_levels(const Matter& matter, Comparison& comparison) {
             matter.both_see(pair) ? matter.mean_difference_mm(pair) : std::nan(""));
     }
     comparison.mean_mm = mean_of_pairs(comparison.mean_differences_mm, typical);
-    const auto middle = [&](bool of_a, double BeamStatistics::*value) {
+    const auto middle = [&](bool of_a, auto value) {
         std::vector<double> values;
         for (const std::size_t pair : typical)
             values.push_back((of_a ? matter.of_a(pair) : matter.of_b(pair)).*value);

@@ -50,7 +50,9 @@ std::string short_text(const Difference& difference) {
     }
 }
 
-Curve curve_of(const Comparison& comparison, double BeamStatistics::*value) {
+using Statistic = double BeamStatistics::*;
+
+Curve curve_of(const Comparison& comparison, Statistic value) {
     Curve curve;
     for (const BeamPair& pair : comparison.pairs) {
         curve.a.push_back(comparison.a.beams[pair.a].*value);

@@ -176,12 +176,9 @@ TEST(MeshFile, refusesVerticesThatAreNotFinite) {
                     ElementsAre("a.stl: has a vertex that is not finite"));
     }
     const auto file = folder.write("b.stl", binary_stl(1e30F));
+    const glm::dvec3 scale{1.0, 1.0, 1e30};
     EXPECT_THAT(
-        faults_of(
-            [&] {
-                load_mesh(file, {1.0, 1.0, 1e30});
-            },
-            folder),
+        faults_of([&] { load_mesh(file, scale); }, folder),
         ElementsAre(
             "b.stl: has a vertex that is not finite, or more than 1e7 m from its origin; is "
             "it in metres, and its scale right?"));
