@@ -4,13 +4,106 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
 
 #include "daemon/bridges/checked_pose.h"
-#include "daemon/bridges/protobuf.h"
 
 namespace scipd::daemon {
 namespace {
+
+/// Goes through the fields of a Protocol Buffers message, by the wire format that its makers
+/// document ("Encoding", protobuf.dev). Knows no message. Never reads beyond the bytes: what is
+/// damaged ends the walk, and good() is false.
+class ProtobufReader {
+  public:
+    /// The bytes must outlive this.
+    explicit ProtobufReader(std::string_view bytes) : bytes_(bytes) {}
+
+    /// Goes on to the next field. False: there is none, or the bytes are damaged.
+    bool next();
+    [[nodiscard]] bool good() const { return good_; }
+
+    /// The number of the field that next() came to, and its value as each kind. Kinds that it is
+    /// not of are zero or empty.
+    [[nodiscard]] std::uint32_t field() const { return field_; }
+    [[nodiscard]] std::int64_t integer() const { return integer_; }
+    [[nodiscard]] double float64() const { return float64_; }
+    /// A text, or a message in it.
+    [[nodiscard]] std::string_view bytes() const { return within_; }
+
+  private:
+    std::uint64_t varint();
+    std::string_view take(std::uint64_t size);
+
+    std::string_view bytes_;
+    bool good_ = true;
+    std::uint32_t field_ = 0;
+    std::int64_t integer_ = 0;
+    double float64_ = 0.0;
+    std::string_view within_;
+};
+
+enum WireType : unsigned { as_varint = 0, eight_bytes = 1, with_length = 2, four_bytes = 5 };
+
+std::string_view ProtobufReader::take(std::uint64_t size) {
+    if (size > bytes_.size()) {
+        good_ = false;
+        return {};
+    }
+    const std::string_view taken = bytes_.substr(0, size);
+    bytes_.remove_prefix(size);
+    return taken;
+}
+
+std::uint64_t ProtobufReader::varint() {
+    std::uint64_t value = 0;
+    for (unsigned shift = 0; shift < 64; shift += 7) {
+        const std::string_view byte = take(1);
+        if (byte.empty()) return 0;
+        const auto bits = static_cast<unsigned char>(byte.front());
+        value |= std::uint64_t{bits & 0x7fU} << shift;
+        if ((bits & 0x80U) == 0) return value;
+    }
+    good_ = false;
+    return 0;
+}
+
+bool ProtobufReader::next() {
+    integer_ = 0;
+    float64_ = 0.0;
+    within_ = {};
+    if (bytes_.empty() || !good_) return false;
+    const std::uint64_t tag = varint();
+    field_ = static_cast<std::uint32_t>(tag >> 3U);
+    switch (tag & 7U) {
+        case as_varint:
+            integer_ = static_cast<std::int64_t>(varint());
+            break;
+        case eight_bytes: {
+            std::uint64_t raw = 0;
+            unsigned shift = 0;
+            for (const char byte : take(8)) {
+                raw |= std::uint64_t{static_cast<unsigned char>(byte)} << shift;
+                shift += 8;
+            }
+            float64_ = std::bit_cast<double>(raw);
+            break;
+        }
+        case with_length:
+            within_ = take(varint());
+            break;
+        case four_bytes:
+            (void)take(4);
+            break;
+        default:
+            good_ = false;
+    }
+    return good_;
+}
 
 // A world of Gazebo has some thousands of models and links.
 constexpr std::size_t most_poses = 100'000;

@@ -4,14 +4,109 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <string>
+#include <string_view>
 
-#include "daemon/bridges/cdr.h"
 #include "daemon/bridges/checked_pose.h"
 
 namespace scipd::daemon {
 namespace {
+
+/// Reads values from the bytes of a DDS message: CDR in its plain forms, by "Extensible and Dynamic
+/// Topic Types for DDS" 1.3, 7.4 and 7.6.3. Knows no message. Never reads beyond the bytes: from
+/// the first value that is not there on, all are zero or empty, and good() is false.
+class CdrReader {
+  public:
+    /// The bytes of a message with their header of four bytes, which tells the form. They must
+    /// outlive this.
+    explicit CdrReader(std::string_view message);
+
+    std::int32_t int32() { return static_cast<std::int32_t>(uint32()); }
+    std::uint32_t uint32();
+    double float64();
+    template <std::size_t Count>
+    std::array<double, Count> float64s() {
+        std::array<double, Count> values{};
+        for (double& value : values)
+            value = float64();
+        return values;
+    }
+    std::string text();
+
+    [[nodiscard]] bool good() const { return good_; }
+
+  private:
+    template <class Value>
+    Value take();
+    std::string_view bytes(std::size_t count, std::size_t alignment);
+
+    std::string_view body_;
+    std::size_t at_ = 0;
+    std::size_t widest_alignment_ = 8;
+    bool little_endian_ = true;
+    bool good_ = true;
+};
+
+constexpr std::size_t header_size = 4;
+
+// Table 60 of the specification, the identifiers of plain encodings. Their lowest bit tells the
+// order of bytes.
+constexpr unsigned cdr = 0x0000;
+constexpr unsigned cdr2 = 0x0006;
+
+CdrReader::CdrReader(std::string_view message) {
+    if (message.size() < header_size) {
+        good_ = false;
+        return;
+    }
+    const auto high = static_cast<unsigned char>(message[0]);
+    const auto low = static_cast<unsigned char>(message[1]);
+    const unsigned encoding = high * 256U + low;
+    little_endian_ = encoding % 2 == 1;
+    good_ = encoding / 2 == cdr / 2 || encoding / 2 == cdr2 / 2;
+    if (encoding / 2 == cdr2 / 2) widest_alignment_ = 4;
+    body_ = message.substr(header_size);
+}
+
+std::string_view CdrReader::bytes(std::size_t count, std::size_t alignment) {
+    const std::size_t step = std::min(alignment, widest_alignment_);
+    const std::size_t begin = (at_ + step - 1) / step * step;
+    if (!good_ || begin > body_.size() || count > body_.size() - begin) {
+        good_ = false;
+        return {};
+    }
+    at_ = begin + count;
+    return body_.substr(begin, count);
+}
+
+template <class Value>
+Value CdrReader::take() {
+    std::array<char, sizeof(Value)> raw{};
+    const std::string_view from = bytes(raw.size(), raw.size());
+    std::ranges::copy(from, raw.begin());
+    if (little_endian_ != (std::endian::native == std::endian::little)) std::ranges::reverse(raw);
+    return std::bit_cast<Value>(raw);
+}
+
+std::uint32_t CdrReader::uint32() {
+    return take<std::uint32_t>();
+}
+
+double CdrReader::float64() {
+    return take<double>();
+}
+
+// The size counts the zero at the end.
+std::string CdrReader::text() {
+    const std::uint32_t size = uint32();
+    const std::string_view with_end = bytes(size, 1);
+    return std::string(with_end.substr(0, with_end.find('\0')));
+}
 
 // A message of all frames of a robot has tens of them.
 constexpr std::uint32_t most_transforms = 10'000;

@@ -3,15 +3,41 @@
 #include "daemon/device/device.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
-#include "daemon/device/powered_profile.h"
+#include "daemon/config/sensor_config.h"
+#include "daemon/device/unit.h"
+#include "protocol/device_profile.h"
+#include "protocol/ideal.h"
 #include "protocol/reply_grid.h"
 #include "protocol/session.h"
 #include "protocol/settings.h"
 #include "sim/fnv1a.h"
 
 namespace scipd::daemon {
+namespace {
+
+// The rate of the serial line can be set for good by the user, as II says.
+void power_up_at(int bit_rate, protocol::DeviceProfile& profile) {
+    const auto place = std::ranges::find(profile.bit_rates, bit_rate);
+    if (place == profile.bit_rates.end()) return;
+    std::rotate(profile.bit_rates.begin(), place, place + 1);
+    profile.bit_rate = std::to_string(bit_rate) + "[bps]<-Default setting by user";
+}
+
+/// A configured scanner's words about itself once it is switched on: its model's profile, with the
+/// timing and the bit rate that the configuration asks for.
+protocol::DeviceProfile powered_profile(const SensorConfig& config, const Unit& unit) {
+    protocol::DeviceProfile profile = config.model.profile;
+    profile.serial = unit.serial;
+    if (config.timing == Timing::ideal) profile = protocol::ideal(profile);
+    profile.scan_period = unit.turn(profile.scan_period);
+    if (config.link.baud) power_up_at(*config.link.baud, profile);
+    return profile;
+}
+
+}  // namespace
 
 /// One client, known to the device for as long as it lives.
 class Device::ServedClient final : public Endpoint::Client {

@@ -6,19 +6,92 @@
 #include <chrono>
 #include <exception>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
-#include "daemon/http/framing.h"
-#include "daemon/http/plain.h"
+#include <boost/beast/core/string.hpp>
+#include <boost/beast/http/field.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include "daemon/http/http_message.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/web_socket_connection.h"
+#include "daemon/limits/rate.h"
 
 namespace scipd::daemon {
 namespace {
 
 namespace asio = boost::asio;
 namespace http = boost::beast::http;
+
+/// `rate` is that of the client. Nobody can withdraw the request yet.
+HttpRequest to_plain(const http::request<http::string_body>& request,
+                     const std::shared_ptr<Rate>& rate) {
+    const std::string target{request.target().data(), request.target().size()};
+    const auto mark = target.find('?');
+    // HEAD is GET without the body of the answer.
+    const bool is_head = request.method() == http::verb::head;
+    const std::string method{request.method_string().data(), request.method_string().size()};
+    return {.method = is_head ? "GET" : method,
+            .path = target.substr(0, mark),
+            .query = mark == target.npos ? "" : target.substr(mark + 1),
+            .body = request.body(),
+            .if_none_match = std::string(request[http::field::if_none_match]),
+            .withdrawn = {},
+            .rate = rate};
+}
+
+http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) {
+    http::response<http::string_body> response;
+    response.version(11);
+    response.result(static_cast<unsigned>(plain.status));
+    if (!plain.content_type.empty()) response.set(http::field::content_type, plain.content_type);
+    if (!plain.allow.empty()) response.set(http::field::allow, plain.allow);
+    if (plain.status == 426) response.set(http::field::upgrade, "websocket");
+    for (const auto& [name, value] : plain.headers)
+        response.set(name, value);
+    if (!plain.body.empty()) response.set("X-Content-Type-Options", "nosniff");
+    response.body() = std::move(plain.body);
+    response.keep_alive(keep_alive);
+    // A 204 has no length, not even 0 (RFC 9110, 8.6), and that of a 304 would be the file's.
+    if (plain.status != 204 && plain.status != 304) response.prepare_payload();
+    return response;
+}
+
+/// The answer, before the connection is closed, to a request whose end is not plain: a proxy before
+/// scipd may take for a body what scipd takes for the next request. The parser refuses
+/// Transfer-Encoding: chunked beside Content-Length by itself.
+std::optional<HttpResponse> framing_fault(const http::request_header<>& request) {
+    constexpr auto name = http::field::transfer_encoding;
+    const auto encodings = request.count(name);
+    if (encodings == 0) return std::nullopt;
+    if (encodings == 1 && boost::beast::iequals(request[name], "chunked") &&
+        request.version() >= 11) {
+        return std::nullopt;
+    }
+    return problem(501, "Transfer-Encoding must be chunked and nothing else, in HTTP/1.1",
+                   "Transfer-Encoding");
+}
+
+/// Makes of `http://HOST/PATH`, as proxies are sent it and every server must take it (RFC 9112,
+/// 3.2.2), the target /PATH, and of Host that HOST, which is right where they differ. Leaves what
+/// has no Host, or two.
+void to_origin_form(http::request_header<>& request) {
+    const std::string scheme = "http://";
+    const std::string target(request.target());
+    const bool is_absolute = boost::beast::iequals(target.substr(0, scheme.size()), scheme);
+    if (!is_absolute || request.count(http::field::host) != 1) return;
+    const auto end = std::min(target.find_first_of("/?", scheme.size()), target.size());
+    request.set(http::field::host, target.substr(scheme.size(), end - scheme.size()));
+    const std::string rest = target.substr(end);
+    request.target(rest.starts_with('/') ? rest : "/" + rest);
+}
 
 using boost::system::error_code;
 
@@ -52,6 +125,16 @@ HttpResponse early_frame() {
 }
 
 }  // namespace
+
+bool Presence::has_gone(int socket) {
+    constexpr std::string_view interim = "HTTP/1.1 102 Processing\r\n\r\n";
+    pollfd state{socket, POLLRDHUP, 0};  // errors and both ends closed are told in any case
+    if (::poll(&state, 1, 0) != 1) return false;
+    if ((state.revents & (POLLERR | POLLHUP)) != 0) return true;
+    if (std::exchange(may_ask_, false))
+        ::send(socket, interim.data(), interim.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    return false;
+}
 
 HttpConnection::HttpConnection(Protocol::socket socket, Address here,
                                std::shared_ptr<HttpService> service, SharedDoor door)

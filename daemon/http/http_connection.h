@@ -9,6 +9,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -21,11 +22,52 @@
 #include <boost/beast/http.hpp>
 
 #include "daemon/config/address.h"
-#include "daemon/http/http_pace.h"
 #include "daemon/http/http_service.h"
-#include "daemon/http/presence.h"
 
 namespace scipd::daemon {
+
+/// Tells whether a client that waits for an answer is still there.
+class Presence {
+  public:
+    /// A client of HTTP/1.1 understands interim answers (RFC 9110, 15.2).
+    explicit Presence(bool understands_interim = false) : may_ask_(understands_interim) {}
+
+    /// Whether nobody is there to read an answer. Who has only ended its own side may still read. A
+    /// client of TCP that has closed looks the same until it is sent something: it is sent an
+    /// interim answer, once. To be called while nothing else is sent.
+    [[nodiscard]] bool has_gone(int socket);
+
+  private:
+    bool may_ask_;
+};
+
+/// The time until which a client may send or take some more of a message. A message may be of any
+/// size, but in each stretch of patience much of it must pass: so a client that is slow on purpose
+/// keeps nothing for long.
+class HttpPace {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// A new message begins.
+    void begin(std::chrono::milliseconds patience) {
+        patience_ = patience;
+        passed_ = 0;
+        end_ = std::chrono::steady_clock::now() + patience;
+    }
+    void pass(std::size_t bytes) {
+        passed_ += bytes;
+        if (passed_ >= enough) begin(patience_);
+    }
+    [[nodiscard]] Time end() const { return end_; }
+
+  private:
+    /// With a patience of a minute 17 kB a second, which the worst networks have.
+    static constexpr std::size_t enough = 1'048'576;
+
+    std::chrono::milliseconds patience_{};
+    std::size_t passed_ = 0;
+    Time end_{};
+};
 
 class HttpConnection : public HttpClient, public std::enable_shared_from_this<HttpConnection> {
   public:

@@ -54,7 +54,7 @@ class HttpServer {
     Address listen(const Address& address, Gate gate = Gate{}, std::optional<int> handed = {});
 
     /// A connection ends where no whole header has come for so long, or too little of a body or of
-    /// an answer has passed (http_pace.h).
+    /// an answer has passed (http_connection.h).
     void set_idle(std::chrono::milliseconds idle) { service_->idle = idle; }
 
     /// Ends all connections and removes the sockets.

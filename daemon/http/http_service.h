@@ -44,7 +44,7 @@ struct HttpService {
     OpenWebSocket open_web_socket;
     SharedLimits limits;
     /// A connection ends where no whole header has come for so long, or too little of a body or of
-    /// an answer has passed (http_pace.h).
+    /// an answer has passed (http_connection.h).
     std::chrono::milliseconds idle{60'000};
     bool closed = false;
     std::set<HttpClient*> clients;  ///< each adds and removes itself

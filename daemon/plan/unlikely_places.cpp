@@ -9,7 +9,7 @@
 #include "daemon/world/outside_world.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/text/likely_unit.h"
-#include "sim/world/extent.h"
+#include "sim/world/bounds.h"
 
 namespace scipd::daemon {
 namespace {

@@ -30,7 +30,7 @@
 #include "sim/backends/registry.h"
 #include "sim/loaders/materials/materials_file.h"
 #include "sim/loaders/poses/trajectory_file.h"
-#include "sim/world/extent.h"
+#include "sim/world/bounds.h"
 #include "sim/world/pose_track.h"
 
 namespace scipd::daemon {

@@ -10,7 +10,7 @@
 
 #include <CLI/App.hpp>
 
-#include "daemon/program/map_answer.h"
+#include "daemon/program/answers.h"
 #include "daemon/program/run_options.h"
 #include "sim/expected.h"
 

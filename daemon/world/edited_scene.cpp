@@ -4,24 +4,72 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
+#include <system_error>
 #include <utility>
 #include <variant>
 
-#include "daemon/world/inline_mesh.h"
+#include "daemon/world/base64.h"
 #include "daemon/world/outside_world.h"
 #include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/crowding.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/resources/resources.h"
 #include "sim/text/likely_unit.h"
-#include "sim/world/extent.h"
+#include "sim/world/bounds.h"
 
 namespace scipd::daemon {
 namespace {
+
+namespace fs = std::filesystem;
+
+/// A mesh that came as bytes, as a file for as long as it is read: nothing else lies in its folder,
+/// so that it can name nothing else.
+class InlineMesh {
+  public:
+    /// `data` is base64; `format` is how the file's name shall end. Throws LoadError.
+    InlineMesh(const std::string& data, const std::string& format);
+    InlineMesh(const InlineMesh&) = delete;
+    InlineMesh& operator=(const InlineMesh&) = delete;
+    ~InlineMesh();
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+  private:
+    std::filesystem::path folder_;
+    std::filesystem::path file_;
+};
+
+/// One that only this user can open.
+fs::path new_folder() {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "scipd-mesh-XXXXXX").string();
+    if (error || ::mkdtemp(name.data()) == nullptr)
+        throw sim::LoadError({"there is no folder to read the mesh in; TMPDIR can name one"});
+    return fs::canonical(name);
+}
+
+InlineMesh::InlineMesh(const std::string& data, const std::string& format) {
+    const auto bytes = base64_decoded(data);
+    if (!bytes) throw sim::LoadError({"mesh_data must be base64"});
+    folder_ = new_folder();
+    file_ = folder_ / ("mesh." + format);
+    std::ofstream file(file_, std::ios::binary);
+    file.write(bytes->data(), static_cast<std::streamsize>(bytes->size()));
+}
+
+InlineMesh::~InlineMesh() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
 
 using Result = EditOutcome::Result;
 

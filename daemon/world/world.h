@@ -20,10 +20,10 @@
 #include "daemon/world/cast.h"
 #include "daemon/world/light.h"
 #include "daemon/world/movers.h"
-#include "daemon/world/placement.h"
 #include "daemon/world/robot.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/backends/range_backend.h"
+#include "sim/expected.h"
 #include "sim/time.h"
 #include "sim/world/pose.h"
 #include "sim/world/pose_track.h"
@@ -31,6 +31,27 @@
 #include "sim/world/script.h"
 
 namespace scipd::daemon {
+
+/// A sender says that a robot or a model is at this pose.
+struct Placement {
+    sim::Time time{};
+    sim::Pose pose;
+    std::optional<sim::Velocity> velocity;
+    /// The sender gave no time. The pose holds from now on and replaces poses of later times.
+    bool from_now_on = false;
+};
+
+/// Why a placement is refused.
+struct NotPlaced : sim::Fault {
+    enum class Reason {
+        unknown,    ///< there is no such thing, or several could be meant
+        carried,    ///< it is the body of a robot, and goes where the robot goes
+        not_later,  ///< its time is not later than that of the pose before it
+    };
+    Reason reason = Reason::unknown;
+};
+
+using Placed = tl::expected<void, NotPlaced>;
 
 class World {
   public:
