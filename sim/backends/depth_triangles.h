@@ -15,8 +15,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "sim/backends/depth_projection.h"
 #include "sim/backends/fan.h"
-#include "sim/backends/frustum.h"
 #include "sim/world/scene.h"
 
 namespace scipd::sim {

@@ -5,14 +5,101 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "sim/sensor/air_path.h"
+#include <glm/vec3.hpp>
+
+#include "sim/random.h"
+#include "sim/world/medium.h"
 
 namespace scipd::sim {
 namespace {
+
+/// The way of one beam through the media of a world: how much light is left of it, and what drops
+/// or flakes it meets.
+class AirPath {
+  public:
+    /// A beam in W that begins there.
+    AirPath(std::span<const Medium> media, const glm::dvec3& from_m, const glm::dvec3& direction);
+
+    /// What is left of light that goes so far and comes back: Beer and Lambert's law, both ways.
+    [[nodiscard]] double left(double range_m) const;
+
+    struct Drop {
+        double range_m;
+        double brightness;
+    };
+    /// The first drop or flake of each medium that the beam meets nearer than `range_m`. Drops are
+    /// spread at random, so the way to the first one is exponentially distributed.
+    [[nodiscard]] std::vector<Drop> drops(double range_m, const Chance& chance,
+                                          std::uint32_t beam) const;
+
+  private:
+    struct Stretch {
+        const Medium* medium;
+        std::uint32_t index;  ///< of the medium
+        double from_m;        ///< from the beam's beginning
+        double to_m;
+    };
+    std::vector<Stretch> stretches_;
+};
+
+/// So that the beams of several media do not share their chance.
+constexpr std::uint32_t media_apart = 1U << 20U;
+
+/// Where the beam is within the box, from and to; from > to: nowhere.
+std::pair<double, double> within(const Medium& medium, const glm::dvec3& from_m,
+                                 const glm::dvec3& direction) {
+    double enters = 0.0;
+    double leaves = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = medium.low_m[axis] - from_m[axis];
+        const double high = medium.high_m[axis] - from_m[axis];
+        if (direction[axis] == 0.0) {
+            if (low > 0.0 || high < 0.0) return {1.0, 0.0};
+            continue;
+        }
+        const auto [near, far] = std::minmax({low / direction[axis], high / direction[axis]});
+        enters = std::max(enters, near);
+        leaves = std::min(leaves, far);
+    }
+    return {enters, leaves};
+}
+
+AirPath::AirPath(std::span<const Medium> media, const glm::dvec3& from_m,
+                 const glm::dvec3& direction) {
+    for (std::uint32_t i = 0; i < media.size(); ++i) {
+        const auto [enters, leaves] = within(media[i], from_m, direction);
+        if (enters < leaves) stretches_.push_back({&media[i], i, enters, leaves});
+    }
+}
+
+double AirPath::left(double range_m) const {
+    double exponent = 0.0;
+    for (const Stretch& stretch : stretches_) {
+        const double gone_m = std::min(range_m, stretch.to_m) - stretch.from_m;
+        exponent += stretch.medium->extinction_per_m * std::max(0.0, gone_m);
+    }
+    return std::exp(-2.0 * exponent);
+}
+
+std::vector<AirPath::Drop> AirPath::drops(double range_m, const Chance& chance,
+                                          std::uint32_t beam) const {
+    std::vector<Drop> met;
+    for (const Stretch& stretch : stretches_) {
+        if (stretch.medium->returns_per_m <= 0.0) continue;
+        const double even = 0.5 * (1.0 + chance.even(beam + stretch.index * media_apart));
+        const double at_m = stretch.from_m - std::log(even) / stretch.medium->returns_per_m;
+        if (at_m < std::min(range_m, stretch.to_m))
+            met.push_back({at_m, stretch.medium->brightness});
+    }
+    return met;
+}
 
 /// A number for each cube of a centimetre in W: the hash of Teschner et al. (Optimized spatial
 /// hashing for collision detection of deformable objects, 2003).

@@ -5,15 +5,55 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
-#include "sim/sensor/path_length.h"
-
 namespace scipd::sim {
 namespace {
+
+/// The path length of a model: how far its points have gone at most, from the first leg on. Time is
+/// counted in beams of a sweep and fractions of them.
+class PathLength {
+  public:
+    /// One more leg, after those that were added before.
+    void add(double from_beam, double to_beam, double length_m) {
+        const double gone_m = marks_.empty() ? 0.0 : marks_.back().gone_m;
+        marks_.push_back({from_beam, gone_m});
+        marks_.push_back({to_beam, gone_m + length_m});
+    }
+    [[nodiscard]] double gone_m(double beam) const;
+    /// The last moment at which it has gone no farther than this.
+    [[nodiscard]] double beam_at(double gone_m) const;
+
+  private:
+    struct Mark {
+        double beam = 0.0;
+        double gone_m = 0.0;
+    };
+    std::vector<Mark> marks_;  ///< both grow or stay; between two marks the model moves evenly
+};
+
+double PathLength::gone_m(double beam) const {
+    const auto after = std::ranges::upper_bound(marks_, beam, {}, &Mark::beam);
+    if (after == marks_.begin()) return 0.0;
+    const Mark& before = *std::prev(after);
+    if (after == marks_.end()) return before.gone_m;
+    const double share = (beam - before.beam) / (after->beam - before.beam);
+    return std::lerp(before.gone_m, after->gone_m, share);
+}
+
+double PathLength::beam_at(double gone_m) const {
+    const auto after = std::ranges::upper_bound(marks_, gone_m, {}, &Mark::gone_m);
+    if (after == marks_.end()) return std::numeric_limits<double>::infinity();
+    const Mark& before = *std::prev(after);  // exists: the first mark is 0 m
+    const double share = (gone_m - before.gone_m) / (after->gone_m - before.gone_m);
+    return std::lerp(before.beam, after->beam, share);
+}
 
 /// Backends round by less than this.
 constexpr double margin_m = 5e-3;

@@ -4,20 +4,108 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "sim/recycled.h"
 #include "sim/sensor/code_chance.h"
 #include "sim/sensor/curve.h"
-#include "sim/sensor/deviation.h"
-#include "sim/sensor/last_errors.h"
+#include "sim/sensor/echo.h"
+#include "sim/sensor/noise_law.h"
 #include "sim/sensor/noise_row.h"
+#include "sim/sensor/sensor_spec.h"
 #include "sim/sensor/spec_curves.h"
 #include "sim/sensor/steady_error.h"
+#include "sim/time.h"
 
 namespace scipd::sim {
 namespace {
+
+/// The last errors, which all ranges of a scan have: the drift of a unit that warms up, and the
+/// lattice that its ranges lie on. A small value, since compilers take several ranges at once only
+/// if they see that it stays as it is.
+class LastErrors {
+  public:
+    LastErrors(const SensorSpec& spec, Time on_for)
+        : drift_m_(drift_m(spec.warm_up, on_for)),
+          lattice_m_(spec.lattice_m >= finest_lattice_m ? spec.lattice_m : 0.0),
+          per_lattice_(lattice_m_ > 0.0 ? 1.0 / lattice_m_ : 0.0) {}
+
+    [[nodiscard]] float told_m(double range_m) const {
+        // In this order what is no number becomes one.
+        const double read_m = std::min(std::max(0.0, range_m + drift_m_), farthest_m);
+        if (lattice_m_ == 0.0) return static_cast<float>(read_m);
+        // A conversion is several times faster than std::round().
+        const auto places = static_cast<std::int32_t>(read_m * per_lattice_ + 0.5);
+        return static_cast<float>(places * lattice_m_);
+    }
+
+  private:
+    /// No scanner tells more, nor finer. So a place on a lattice is an int.
+    static constexpr double farthest_m = 20'000.0;
+    static constexpr double finest_lattice_m = 1e-5;
+
+    [[nodiscard]] static double drift_m(const WarmUp& warm_up, Time on_for) {
+        if (warm_up.drift_m == 0.0) return 0.0;
+        const std::chrono::duration<double> on_for_s = on_for;
+        const std::chrono::duration<double> constant_s = warm_up.time_constant;
+        return warm_up.drift_m * std::exp(-on_for_s / constant_s);
+    }
+
+    double drift_m_;
+    double lattice_m_;
+    double per_lattice_;
+};
+
+/// How much of the spread of ranges within a footprint shows as noise. Recorded walls that are met
+/// at 40 to 75 degrees leave no room for more.
+inline constexpr double spread_share = 0.02;
+
+/// The standard deviation of a range, by the light that comes back (noise_law.h). Made for one
+/// scan.
+class Deviation {
+  public:
+    /// So many times what `curves` say, which must outlive it.
+    Deviation(const NoiseLaw& law, const SpecCurves& curves, double factor);
+
+    /// For a white wall that is met head-on.
+    [[nodiscard]] double of_white_wall_m(double range_m) {
+        return factor_ * white_wall_.at(range_m);
+    }
+
+    /// Light of less power than a white wall's leaves more noise: at most as much as that of the
+    /// darkest target that is still seen.
+    [[nodiscard]] double of_m(const Echo& echo);
+
+  private:
+    double factor_;
+    double weak_;
+    double faintest_intensity_;
+    Curve::Cursor white_wall_;
+    Curve::Cursor intensity_;
+};
+
+double square(double x) {
+    return x * x;
+}
+
+Deviation::Deviation(const NoiseLaw& law, const SpecCurves& curves, double factor)
+    : factor_(factor),
+      weak_(law.weak),
+      faintest_intensity_(curves.faintest_intensity),
+      white_wall_(curves.white_wall),
+      intensity_(curves.intensity) {}
+
+double Deviation::of_m(const Echo& echo) {
+    double variance_m2 = square(white_wall_.at(echo.range_m));
+    if (const double white = intensity_.at(echo.range_m); white > 0.0) {
+        const double intensity = std::max(white * echo.power, faintest_intensity_);
+        variance_m2 *= (1.0 + square(weak_ / intensity)) / (1.0 + square(weak_ / white));
+    }
+    return factor_ * std::sqrt(variance_m2 + square(spread_share * echo.spread_m));
+}
 
 /// So that the echoes of one beam do not share their chance.
 constexpr std::uint32_t beams_apart = 1U << 20U;

@@ -11,7 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "sim/world/extent.h"
+#include "sim/world/bounds.h"
 
 namespace scipd::sim {
 namespace {

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "sim/world/pose.h"
+#include "sim/world/scene.h"
 #include "sim/world/shape.h"
 
 namespace scipd::sim {
@@ -26,5 +27,11 @@ struct Bounds {
 
 /// In the frame of the shape.
 Bounds bounds_of(const Shape& shape);
+
+/// The box around an object, in W.
+Bounds bounds_in_world(const Scene& scene, const Object& object);
+
+/// The box around all of them; empty where there are none.
+Bounds extent_of(const Scene& scene);
 
 }  // namespace scipd::sim

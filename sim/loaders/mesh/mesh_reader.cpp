@@ -5,23 +5,29 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <new>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include <assimp/DefaultIOStream.h>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <glm/mat4x4.hpp>
 
+#include "sim/expected.h"
 #include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/file/xml_text.h"
-#include "sim/loaders/mesh/mesh_folder.h"
 #include "sim/loaders/mesh/mesh_material.h"
 #include "sim/loaders/mesh/mesh_nodes.h"
 #include "sim/loaders/mesh/mesh_relief.h"
@@ -29,6 +35,100 @@
 
 namespace scipd::sim {
 namespace {
+
+namespace fs = std::filesystem;
+
+/// Limits what Assimp may open while it reads a mesh: the mesh, and plain files in its folder and
+/// in the folders below. A mesh can name anything, such as a device, a FIFO that nobody writes to
+/// or the files of another user, and the library would open it.
+class MeshFolder final : public Assimp::DefaultIOSystem {
+  public:
+    explicit MeshFolder(const std::filesystem::path& mesh);
+
+    /// Gives Assimp these contents in place of the mesh's own, and lets it open no file that only
+    /// tells how the mesh looks (.mtl).
+    void relieve(std::string contents) { relieved_ = std::move(contents); }
+
+    bool Exists(const char* file) const override;
+    /// Null if the file may not be opened. Nothing may be opened for writing.
+    Assimp::IOStream* Open(const char* file, const char* mode) override;
+
+    /// Why Assimp was refused the first file that it did not get; empty if it got all.
+    [[nodiscard]] const std::string& refusal() const { return refusal_; }
+
+  private:
+    /// Whether the file may be opened.
+    [[nodiscard]] Expected<> check(const std::filesystem::path& file) const;
+
+    std::filesystem::path mesh_;
+    std::optional<std::string> relieved_;
+    /// The folder of the mesh as it is named, and that of the file to which its name links: some
+    /// installations link file by file.
+    std::vector<std::filesystem::path> folders_;
+    std::string refusal_;
+};
+
+/// Assimp's own stream, over a file that is open already.
+class Stream final : public Assimp::DefaultIOStream {
+  public:
+    Stream(File file, const std::string& name) : DefaultIOStream(file.release(), name) {}
+};
+
+Stream* stream_of(const std::string& contents) {
+    File file = memory_file();
+    std::fwrite(contents.data(), 1, contents.size(), file.get());
+    std::rewind(file.get());
+    // The stream asks for its size by this name.
+    const std::string name = "/proc/self/fd/" + std::to_string(fileno(file.get()));
+    return new Stream(std::move(file), name);
+}
+
+/// In the folder or below it. Below the root folder would be everything, so there nothing counts.
+bool lies_in(const fs::path& file, const fs::path& folder) {
+    if (file.parent_path() == folder) return true;
+    const auto [end, ignored] =
+        std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+    return folder.has_relative_path() && end == folder.end();
+}
+
+MeshFolder::MeshFolder(const fs::path& mesh) : mesh_(mesh) {
+    std::error_code error;
+    folders_.push_back(fs::canonical(fs::absolute(mesh).parent_path(), error));
+    folders_.push_back(fs::canonical(mesh, error).parent_path());
+}
+
+Expected<> MeshFolder::check(const fs::path& file) const {
+    if (file == mesh_) return {};
+    if (relieved_ && file.extension() == ".mtl") return refuse("is not wanted");
+    // Resolves links and dots, also where the file is missing: nobody learns what lies elsewhere.
+    std::error_code error;
+    const fs::path real = fs::weakly_canonical(file, error);
+    const bool inside = !error && std::ranges::any_of(folders_, [&](const fs::path& folder) {
+        return lies_in(real, folder);
+    });
+    if (!inside) return refuse("does not lie in the folder of the mesh");
+    if (!fs::exists(real, error)) return refuse("is not there");
+    return check_plain_file(real);
+}
+
+bool MeshFolder::Exists(const char* file) const {
+    return check(file).has_value();
+}
+
+Assimp::IOStream* MeshFolder::Open(const char* file, const char* mode) {
+    std::string why;
+    try {
+        const auto allowed = mode[0] == 'r' ? check(file) : refuse("is only read");
+        if (allowed && relieved_ && file == mesh_) return stream_of(*relieved_);
+        if (allowed) return new Stream(open_file(file), file);
+        why = allowed.error().why;
+    } catch (const std::runtime_error& error) {
+        why = error.what();
+    }
+    const fs::path name = fs::path{file}.lexically_relative(mesh_.parent_path());
+    if (refusal_.empty()) refusal_ = "names " + quote(name.string(), whole_path) + ", which " + why;
+    return nullptr;
+}
 
 /// Positions and faces are all that a range needs; without the rest more vertices are identical and
 /// can be shared.

@@ -18,7 +18,7 @@ enum class TrajectoryFormat {
     guess,
     tum,    ///< `t tx ty tz qx qy qz qw` a line, in seconds
     euroc,  ///< its state_groundtruth_estimate0/data.csv, in nanoseconds
-    kitti,  ///< twelve numbers a line (kitti_line.h), with stamps of a times.txt or at 10 Hz
+    kitti,  ///< twelve numbers a line, with stamps of a times.txt or at 10 Hz
     csv,    ///< a header names the columns (column_names.cpp)
 };
 

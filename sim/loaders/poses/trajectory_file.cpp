@@ -3,24 +3,162 @@
 #include "sim/loaders/poses/trajectory_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "sim/expected.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
-#include "sim/loaders/poses/kitti_line.h"
 #include "sim/loaders/poses/pose_columns.h"
 #include "sim/loaders/poses/pose_line.h"
-#include "sim/loaders/poses/trajectory_draft.h"
+#include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/poses/tum_line.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
+#include "sim/world/pose.h"
+#include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {
+
+constexpr std::array kitti_columns{"r11", "r12", "r13", "x",   "r21", "r22",
+                                   "r23", "y",   "r31", "r32", "r33", "z"};
+
+/// Each column is an axis of the camera in our frame: right is -y, down is -z, ahead is x.
+const glm::dmat3 ours_from_camera{glm::dvec3{0.0, -1.0, 0.0}, glm::dvec3{0.0, 0.0, -1.0},
+                                  glm::dvec3{1.0, 0.0, 0.0}};
+
+/// Whether it is one, with the tolerance that numbers of six digits need.
+bool is_rotation(const glm::dmat3& matrix) {
+    constexpr double tolerance = 1e-3;
+    const glm::dmat3 square = glm::transpose(matrix) * matrix;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            if (!(std::abs(square[i][k] - (i == k ? 1.0 : 0.0)) <= tolerance)) return false;
+        }
+    }
+    return glm::determinant(matrix) > 0.0;
+}
+
+/// One line of KITTI's odometry ground truth: the first three rows of a camera's pose, as a matrix,
+/// in the frame that the camera had at first. KITTI's cameras have x to the right, y down and z
+/// ahead; here both frames are turned to x ahead, y to the left, z up, as everywhere in a world. So
+/// the drive begins at the origin, looking along x.
+Expected<Pose> parse_kitti_line(std::string_view line) {
+    const auto cells = cells_of(line, ' ');
+    if (cells.size() != kitti_columns.size()) {
+        return refuse("a pose has 12 columns, the rows of [R t], this line has " +
+                      std::to_string(cells.size()));
+    }
+    std::array<double, kitti_columns.size()> value{};
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const auto number = parse_number(cells[i]);
+        if (!number) {
+            return refuse(std::string{kitti_columns[i]} + " must be a finite number, not " +
+                          quote(cells[i]));
+        }
+        value[i] = *number;
+    }
+    // GLM's matrices are columns.
+    const glm::dmat3 rotation{glm::dvec3{value[0], value[4], value[8]},
+                              glm::dvec3{value[1], value[5], value[9]},
+                              glm::dvec3{value[2], value[6], value[10]}};
+    if (!is_rotation(rotation)) return refuse("r11 to r33 must be a rotation");
+    const glm::dvec3 xyz_m = ours_from_camera * glm::dvec3{value[3], value[7], value[11]};
+    if (!plausible_position(xyz_m)) return refuse("x, y and z must lie within 1e7 m of the origin");
+    const glm::dmat3 turned = ours_from_camera * rotation * glm::transpose(ours_from_camera);
+    return Pose{xyz_m, glm::normalize(glm::quat_cast(turned))};
+}
+
+/// Half of what a Time can hold.
+constexpr std::chrono::duration<double> longest_trajectory{4.5e9};
+
+/// A trajectory while its file is read line by line: the poses so far and every fault, so that a
+/// user sees all faults at once. It knows no format.
+class TrajectoryDraft {
+  public:
+    /// Messages begin with the file.
+    explicit TrajectoryDraft(const std::filesystem::path& file) : file_(file.string()) {}
+
+    void begin_line() { ++line_number_; }
+    /// Leaves the pose out if it has the stamp of the one before it: some recorders write a pose
+    /// twice.
+    void append(const TimedPose& next);
+    /// Adds a fault of this line.
+    void add_fault(const std::string& text);
+    /// Adds a fault of the whole file.
+    void refuse(const std::string& text) { faults_.push_back(file_ + ": " + text); }
+    void warn(const std::string& text) { warnings_.push_back(file_ + ": " + text); }
+
+    /// Throws LoadError where anything is wrong or there is no pose. `a_line` shows the user what a
+    /// line looks like.
+    Trajectory finish(const std::string& a_line) &&;
+
+  private:
+    std::string file_;
+    std::size_t line_number_ = 0;
+    std::size_t fault_count_ = 0;
+    std::size_t repeated_count_ = 0;
+    std::size_t first_repeated_line_ = 0;
+    std::vector<std::string> faults_;
+    std::vector<std::string> warnings_;
+    std::vector<TimedPose> poses_;
+};
+
+/// Past this many faults a file is not a trajectory at all, and a list of them helps nobody.
+constexpr std::size_t fault_limit = 100;
+
+using Seconds = std::chrono::duration<double>;
+
+void TrajectoryDraft::append(const TimedPose& next) {
+    if (!poses_.empty() && next.time == poses_.back().time) {
+        if (++repeated_count_ == 1) first_repeated_line_ = line_number_;
+        return;
+    }
+    if (!poses_.empty() && next.time < poses_.back().time) {
+        return add_fault("t must be later than the pose before it");
+    }
+    // In floating point: they may lie farther apart than a Time can tell.
+    if (!poses_.empty() && Seconds(next.time) - Seconds(poses_.front().time) > longest_trajectory) {
+        return add_fault("t must lie within 4.5e9 s of the first one");
+    }
+    poses_.push_back(next);
+}
+
+void TrajectoryDraft::add_fault(const std::string& text) {
+    if (++fault_count_ > fault_limit) return;
+    faults_.push_back(file_ + ':' + std::to_string(line_number_) + ": " + text);
+}
+
+Trajectory TrajectoryDraft::finish(const std::string& a_line) && {
+    if (fault_count_ > fault_limit) {
+        faults_.push_back(file_ + ": and " + std::to_string(fault_count_ - fault_limit) + " more");
+    }
+    if (poses_.empty() && faults_.empty()) {
+        faults_.push_back(file_ + ": holds no pose; a line is " + a_line);
+    }
+    if (!faults_.empty()) throw LoadError(std::move(faults_));
+    if (repeated_count_ > 0) {
+        warnings_.push_back(
+            file_ + ':' + std::to_string(first_repeated_line_) +
+            ": has the stamp of the pose before it, as " + std::to_string(repeated_count_) +
+            (repeated_count_ == 1 ? " line does" : " lines do") + "; such poses are left out");
+    }
+    return {std::move(poses_), std::move(warnings_)};
+}
 
 namespace fs = std::filesystem;
 

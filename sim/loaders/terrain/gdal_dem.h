@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-#include "sim/loaders/terrain/height_grid.h"
+#include "sim/loaders/terrain/height_file.h"
 
 namespace scipd::sim {
 
