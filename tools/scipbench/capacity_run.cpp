@@ -4,22 +4,100 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <stop_token>
+#include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
 #include <nlohmann/json.hpp>
 
 #include "daemon/models/model_registry.h"
+#include "sim/world/pose.h"
+#include "tools/control_client.h"
 #include "tools/scipbench/bare_timer.h"
 #include "tools/scipbench/capacity_daemon.h"
-#include "tools/scipbench/capacity_movers.h"
+#include "tools/scipbench/capacity_site.h"
 #include "tools/scipbench/spread.h"
 
 namespace scipd::tools {
 namespace {
+
+namespace asio = boost::asio;
+using asio::ip::udp;
+
+/// Models that move in the world of a measurement: boxes that go round in circles, whose poses a
+/// thread of its own sends by UDP, as a simulator does. To be made and destroyed on one thread.
+class CapacityMovers {
+  public:
+    /// Adds a model at each place, and sends poses to this port of 127.0.0.1 from then on.
+    CapacityMovers(ControlClient& scipd, std::uint16_t port, const std::vector<sim::Pose>& places);
+    CapacityMovers(const CapacityMovers&) = delete;
+    CapacityMovers& operator=(const CapacityMovers&) = delete;
+
+  private:
+    std::jthread sender_;
+};
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* box =
+    "<model name='mover'><link name='l'><visual name='v'><pose>0 0 0.4 0 0 0</pose><geometry><box>"
+    "<size>0.2 0.15 0.8</size></box></geometry></visual></link></model>";
+
+std::string name_of(std::size_t mover) {
+    return "mover_" + std::to_string(mover);
+}
+
+std::string pose_line(std::size_t mover, const sim::Pose& pose) {
+    const auto& [at, q] = pose;
+    return nlohmann::json{
+               {"model", name_of(mover)}, {"xyz", {at.x, at.y, at.z}}, {"q", {q.x, q.y, q.z, q.w}}}
+               .dump() +
+           "\n";
+}
+
+void send_all(udp::socket& socket, const std::vector<sim::Pose>& places, sim::Time time) {
+    constexpr std::size_t most_bytes = 8000;
+    std::string lines;
+    const auto leave = [&] {
+        boost::system::error_code lost;  // as UDP may lose them: the next ones come soon
+        socket.send(asio::buffer(lines), 0, lost);
+        lines.clear();
+    };
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        lines += pose_line(i, on_its_lap(places[i], time));
+        if (lines.size() > most_bytes) leave();
+    }
+    if (!lines.empty()) leave();
+}
+
+void send_until(const std::stop_token& end, std::uint16_t port,
+                const std::vector<sim::Pose>& places) {
+    asio::io_context io;
+    udp::socket socket(io, udp::v4());
+    socket.connect({asio::ip::address_v4::loopback(), port});
+    const Clock::time_point begin = Clock::now();
+    for (sim::Time time{}; !end.stop_requested(); time += pose_period) {
+        send_all(socket, places, time);
+        std::this_thread::sleep_until(begin + time + pose_period);
+    }
+}
+
+CapacityMovers::CapacityMovers(ControlClient& scipd, std::uint16_t port,
+                               const std::vector<sim::Pose>& places) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+        scipd.post("/scene/models", {{"name", name_of(i)}, {"sdf", box}});
+    sender_ =
+        std::jthread([port, places](const std::stop_token& end) { send_until(end, port, places); });
+}
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;

@@ -4,18 +4,29 @@
 
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <iomanip>
 #include <numbers>
 #include <system_error>
 
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
 #include <nlohmann/json.hpp>
 
 #include "tools/output_file.h"
-#include "tools/scipbench/free_port.h"
 
 namespace scipd::tools {
 namespace {
+
+namespace asio = boost::asio;
+
+/// One of 127.0.0.1 that nobody has now, for a scipd that is to be started.
+std::uint16_t free_udp_port() {
+    asio::io_context io;
+    const asio::ip::udp::endpoint any{asio::ip::address_v4::loopback(), 0};
+    return asio::ip::udp::socket(io, any).local_endpoint().port();
+}
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;

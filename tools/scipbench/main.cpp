@@ -27,7 +27,6 @@
 #include "tools/scipbench/compare.h"
 #include "tools/scipbench/compare_stages.h"
 #include "tools/scipbench/load.h"
-#include "tools/scipbench/lockstep_command.h"
 #include "tools/scipbench/machine.h"
 #include "tools/scipbench/table3.h"
 #include "tools/scipbench/table4.h"

@@ -14,7 +14,7 @@
 #include "tools/page.h"
 #include "tools/scipcat/compare/comparison_view.h"
 #include "tools/scipcat/compare/comparison_words.h"
-#include "tools/scipcat/ring_labels.h"
+#include "tools/scipcat/rings.h"
 #include "tools/scipcat/sheet.h"
 #include "tools/scipcat/top_view.h"
 
@@ -66,15 +66,6 @@ void dot(const Sheet& sheet, Spot spot, double radius, const Colour& colour) {
     cairo_new_sub_path(sheet.context());
     cairo_arc(sheet.context(), spot.x, spot.y, radius, 0, 6.2832);
     sheet.fill(colour);
-}
-
-void draw_rings(const Sheet& sheet) {
-    const Spot centre = sheet.at(0, 0);
-    for (double range_m = sheet.ring_m(); range_m < sheet.reach_m(); range_m += sheet.ring_m()) {
-        cairo_new_sub_path(sheet.context());
-        cairo_arc(sheet.context(), centre.x, centre.y, sheet.units(range_m), 0, 6.2832);
-    }
-    sheet.stroke(colours::ring, 1);
 }
 
 void draw_from_above(const Sheet& sheet, const TopView& view, const Comparison& comparison,

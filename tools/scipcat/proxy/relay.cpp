@@ -2,11 +2,13 @@
 // Copyright The scipd authors
 #include "tools/scipcat/proxy/relay.h"
 
+#include <charconv>
 #include <chrono>
 #include <cstddef>
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "protocol/line_reader.h"
@@ -14,12 +16,28 @@
 #include "protocol/speaker.h"
 #include "tools/scipcat/proxy/far_end.h"
 #include "tools/scipcat/proxy/proxy_faults.h"
-#include "tools/scipcat/proxy/rate_change.h"
 
 namespace scipd::tools {
 namespace {
 
 using protocol::Send;
+
+/// SS019200 and whatever follows, S0192000000000; 0: no such request.
+int rate_in(std::string_view request) {
+    constexpr std::size_t rate_digits = 6;
+    constexpr std::size_t scip1_length = 14;
+    const bool scip2 = request.starts_with("SS");
+    if (!scip2 && !(request.starts_with("S") && request.size() == scip1_length)) return 0;
+    const std::string_view digits = request.substr(scip2 ? 2 : 1, rate_digits);
+    int rate = 0;
+    const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), rate);
+    return digits.size() == rate_digits && stop == digits.data() + rate_digits ? rate : 0;
+}
+
+/// 00 and its sum, or 0 of SCIP 1.1. What a scanner refuses, or has already, changes nothing.
+bool agrees(std::string_view status) {
+    return status == "0" || (status.size() == 3 && status.starts_with("00"));
+}
 
 // A scanner that is asked for more than it reads holds the driver up, as without a proxy.
 constexpr std::size_t most_requests_bytes = 64 * 1024;
@@ -38,6 +56,67 @@ Send::Kind kind_of(std::string_view message) {
 }
 
 }  // namespace
+
+/// Hears on a serial line that a driver has a scanner change the rate: SS of SCIP 2.0, S of 1.1.
+/// Once the scanner has agreed, in full, it goes on at the other rate.
+class RateChange {
+  public:
+    void asks(std::string_view bytes);
+    /// The rate that holds behind these bytes, in bits per second; nothing: as before.
+    [[nodiscard]] std::optional<int> answers(std::string_view bytes);
+    /// Another driver is there.
+    void forget() { *this = {}; }
+
+  private:
+    /// A line of the scanner, without its end.
+    [[nodiscard]] std::optional<int> take(const std::string& line);
+
+    protocol::LineReader reader_;
+    std::string line_;     ///< what has come of one of the scanner's
+    std::string request_;  ///< the latest that asks for a rate; empty: none
+    int rate_ = 0;         ///< in it
+    enum class Next { echo, status, end } next_ = Next::echo;
+};
+
+void RateChange::asks(std::string_view bytes) {
+    while (const auto line = reader_.next(bytes)) {
+        if (const int rate = rate_in(line->text); rate > 0) {
+            request_ = line->text;
+            rate_ = rate;
+        }
+    }
+}
+
+std::optional<int> RateChange::answers(std::string_view bytes) {
+    std::optional<int> rate;
+    for (const char c : bytes) {
+        if (c != '\n') {
+            if (!request_.empty() && line_.size() <= protocol::LineReader::max_length) line_ += c;
+            continue;
+        }
+        if (const auto agreed = take(line_)) rate = agreed;
+        line_.clear();
+    }
+    return rate;
+}
+
+std::optional<int> RateChange::take(const std::string& line) {
+    if (request_.empty()) return std::nullopt;
+    switch (next_) {
+        case Next::echo:
+            if (line == request_) next_ = Next::status;
+            return std::nullopt;
+        case Next::status:
+            next_ = agrees(line) ? Next::end : Next::echo;
+            if (next_ == Next::echo) request_.clear();
+            return std::nullopt;
+        case Next::end:
+            break;
+    }
+    next_ = Next::echo;
+    request_.clear();
+    return rate_;
+}
 
 /// One driver and its connection to the scanner. A tty has one for all who open it, one after the
 /// other.

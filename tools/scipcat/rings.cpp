@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/ring_labels.h"
+#include "tools/scipcat/rings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "tools/colours.h"
 
 namespace scipd::tools {
 namespace {
@@ -63,6 +65,16 @@ double best_angle_rad(const Sheet& sheet, const TopView& view) {
 }
 
 }  // namespace
+
+void draw_rings(const Sheet& sheet) {
+    const Spot centre = sheet.at(0.0, 0.0);
+    for (double range_m = sheet.ring_m(); range_m < sheet.reach_m(); range_m += sheet.ring_m()) {
+        cairo_new_sub_path(sheet.context());
+        cairo_arc(sheet.context(), centre.x, centre.y, sheet.units(range_m), 0.0,
+                  2.0 * std::numbers::pi);
+    }
+    sheet.stroke(colours::ring, 1.0);
+}
 
 void draw_ring_labels(const Sheet& sheet, const TopView& view) {
     constexpr double text_size = 14.5;
