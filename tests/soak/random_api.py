@@ -226,7 +226,8 @@ class Maker:
 
     def a_object(self, schema, depth):
         wanted = set(schema.get("required", []))
-        wanted |= set(self.resolved(self.rng.choice(schema["oneOf"])).get("required", [])) if "oneOf" in schema else set()
+        if "oneOf" in schema:
+            wanted |= set(self.resolved(self.rng.choice(schema["oneOf"])).get("required", []))
         properties = schema.get("properties", {})
         alternatives = {name for one in schema.get("oneOf", []) for name in one.get("required", [])}
         made = {name: self.value(of, name, depth + 1) for name, of in properties.items()
