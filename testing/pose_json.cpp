@@ -21,8 +21,8 @@ Quaternion quaternion_of(const Pose& pose) {
             cr * cp * cy + sr * sp * sy};
 }
 
-/// Shoemake's slerp, the short way round.
-Quaternion between(const Quaternion& from, const Quaternion& to, double share) {
+/// Shoemake's way, the short way round.
+Quaternion slerp(const Quaternion& from, const Quaternion& to, double share) {
     double dot = 0;
     for (std::size_t i = 0; i < from.size(); ++i)
         dot += from[i] * to[i];
@@ -60,7 +60,7 @@ Json between(const Json& from, const Json& to, double share) {
     for (std::size_t i = 0; i < xyz.size(); ++i)
         xyz[i] += share * (end[i] - xyz[i]);
     const Quaternion q =
-        between(from.at("q").get<Quaternion>(), to.at("q").get<Quaternion>(), share);
+        slerp(from.at("q").get<Quaternion>(), to.at("q").get<Quaternion>(), share);
     return {{"xyz", xyz}, {"q", q}};
 }
 
