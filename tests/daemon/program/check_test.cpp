@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The answers of `scipd --check` about files that are no configuration, with figures that were counted by
-// hand.
+// The answers of `scipd --check` about files that are no configuration, with figures that were
+// counted by hand.
 #include "daemon/program/check.h"
 
 #include <string>
