@@ -59,8 +59,7 @@ Json between(const Json& from, const Json& to, double share) {
     const std::array<double, 3> end = to.at("xyz");
     for (std::size_t i = 0; i < xyz.size(); ++i)
         xyz[i] += share * (end[i] - xyz[i]);
-    const Quaternion q =
-        slerp(from.at("q").get<Quaternion>(), to.at("q").get<Quaternion>(), share);
+    const Quaternion q = slerp(from.at("q").get<Quaternion>(), to.at("q").get<Quaternion>(), share);
     return {{"xyz", xyz}, {"q", q}};
 }
 
