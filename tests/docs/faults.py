@@ -52,6 +52,14 @@ def rows_of(page):
             yield layer, kind, code_of(cells[1]), cells[2]
 
 
+def examples_of(page):
+    """(kind, fault): the example of each kind."""
+    for _, kind, member, what in rows_of(page):
+        found = None if member else re.search(r"`(\{.+\})`", what)
+        if found:
+            yield kind, yaml.safe_load(found.group(1))
+
+
 def example_fails(control, kind, what):
     example = re.search(r"`(\{.+\})`", what)
     if not example:

@@ -26,7 +26,7 @@ from fault_lab import PATIENCE_S, Control, Lab, wait_for
 from wire import PING, PONG, UPGRADE, text_frame
 
 sys.path.append(str(pathlib.Path(__file__).parents[1] / "docs"))
-from faults import rows_of  # noqa: E402
+from faults import examples_of  # noqa: E402
 
 TURNS_S = 0.3  # time for two scans of 25 ms under a fault; some faults let no scan pass
 TOOL_S = 1.5  # most time for a tool whose scan a fault may hold back
@@ -133,8 +133,7 @@ def frame_is_whole(data):
 
 def examples(control, sources):
     """A lasting fault of each kind, but for those that are over at once: (layer, fault)."""
-    written = {kind: yaml.safe_load(re.search(r"`(\{.+\})`", text).group(1))
-               for _, kind, member, text in rows_of(sources / "docs/faults.md") if not member}
+    written = dict(examples_of(sources / "docs/faults.md"))
     for kind in control.ask("GET", "/faults/kinds")[1]:
         fault = {key: value for key, value in written[kind["kind"]].items() if key not in ("at", "until")}
         yield kind["layer"], fault | ({"for": {"s": 600}} if "for" in fault else {})

@@ -15,11 +15,11 @@ import json
 import os
 import pathlib
 import random
-import re
 import select
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -31,6 +31,9 @@ import good
 import wire
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests/docs"))
+from faults import examples_of  # noqa: E402
+
 PATIENCE_S = 60.0
 HALF_VALID = 0.25  # share of the requests
 RELOADS = 0.01
@@ -426,19 +429,16 @@ class Asker:
             return json.loads(talk.getresponse().read())
 
 
-def faults_of(document):
-    """The example of each kind in docs/faults.md, without its duration."""
-    for line in (ROOT / "docs/faults.md").read_text().splitlines():
-        found = re.match(r"\| `\w+` .*`(\{kind: .+\})`", line)
-        if found:
-            fault = yaml.safe_load(found.group(1))
-            yield {key: value for key, value in fault.items() if key not in ("for", "until")}
+def examples():
+    """The example of each kind of fault, without its duration."""
+    for _, fault in examples_of(ROOT / "docs/faults.md"):
+        yield {key: value for key, value in fault.items() if key not in ("for", "until")}
 
 
 def run(program, document, seed, seconds, lockstep, slow):
     scipd = Scipd(program, seed, lockstep)
     over = threading.Event()
-    asker = Asker(scipd, document, list(faults_of(document)), seed)
+    asker = Asker(scipd, document, list(examples()), seed)
     beside = list(clients_beside(scipd, over))
     for client in beside:
         client.start()
