@@ -63,8 +63,8 @@ void tell(int messages, int what) noexcept {
     (void)::send(messages, &what, sizeof(what), MSG_NOSIGNAL);
 }
 
-/// What a terminal or a runner does to the group of the tests does not reach this process, so it is
-/// there to end scipd when they are gone. What the test does with signals is not for scipd.
+/// A signal to the group of the tests, by a terminal or a runner, does not reach this process: it
+/// must outlive them to end scipd. scipd does not inherit the signal handlers of the test.
 void leave_the_test() noexcept {
     ::setsid();
     for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD, SIGPIPE})

@@ -72,7 +72,7 @@ void read_noise(const sim::YamlField& field, sim::StaringSpec& spec, sim::YamlFa
     if (!none) spec.noise = {step};
 }
 
-/// What both kinds have.
+/// The keys that cameras and rangers share.
 void read_rest(const sim::YamlSection& section, sim::StaringSpec& spec, sim::YamlFaults& faults) {
     section.read("rate_hz", spec.period, parse_rate);
     std::array<double, 2> range_m{0.0, 1.0};

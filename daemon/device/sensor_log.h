@@ -31,7 +31,7 @@ class RecordLog {
 
     explicit RecordLog(std::size_t capacity = 64) : capacity_(capacity) {}
 
-    /// Somebody asks for what it keeps.
+    /// Keeps records for another minute, since a client asks for them.
     void ask(sim::Time now) { asked_until_ = now + std::chrono::minutes(1); }
 
     void add(Shared record, sim::Time now) {
@@ -46,7 +46,7 @@ class RecordLog {
         records_.push_back(std::move(record));
     }
 
-    /// Null where there is none.
+    /// Returns null where there is none.
     [[nodiscard]] Shared latest() const { return records_.empty() ? nullptr : records_.back(); }
     [[nodiscard]] Shared find(std::int64_t revolution) const {
         const auto found = std::ranges::find(

@@ -32,7 +32,7 @@ class Presence {
     /// A client of HTTP/1.1 understands interim answers (RFC 9110, 15.2).
     explicit Presence(bool understands_interim = false) : may_ask_(understands_interim) {}
 
-    /// Whether nobody is there to read an answer. Who has only ended its own side may still read. A
+    /// True if no client can read an answer. One that has only ended its own side may still read. A
     /// client of TCP that has closed looks the same until it is sent something: it is sent an
     /// interim answer, once. To be called while nothing else is sent.
     [[nodiscard]] bool has_gone(int socket);

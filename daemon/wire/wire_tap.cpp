@@ -73,7 +73,7 @@ std::string_view take_line(std::string_view& bytes) {
     return line;
 }
 
-/// What the second line of a reply says, before its sum.
+/// The status in the second line of a reply, before its checksum.
 std::optional<protocol::Status> status_in(std::string_view line) {
     return line.size() == 3 ? protocol::Status::parse(line.substr(0, 2)) : std::nullopt;
 }

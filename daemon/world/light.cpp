@@ -10,7 +10,7 @@
 namespace scipd::daemon {
 namespace {
 
-/// Whether this is within a cone; the direction has unit length.
+/// True if `way` is within the cone around `direction`, which has unit length.
 bool within(const glm::dvec3& way, const glm::dvec3& direction, double half_width_rad) {
     return glm::dot(way, direction) >= std::cos(half_width_rad) * glm::length(way);
 }

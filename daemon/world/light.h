@@ -37,7 +37,7 @@ class Lamp {
     Lamp& operator=(const Lamp&) = delete;
     virtual ~Lamp() = default;
 
-    /// Nothing while it is dark.
+    /// Returns nullopt while it is dark.
     [[nodiscard]] virtual std::optional<LampBeam> shines(sim::Time time) const = 0;
 };
 
@@ -60,9 +60,8 @@ struct Gaze {
     double range_m = 0.0;
 };
 
-/// Whether the receiver looks at the lamp and the lamp at the receiver, with nothing between them.
-/// Both have windows of `window_radius_m`.
-inline constexpr double window_radius_m = 0.03;
+inline constexpr double window_radius_m = 0.03;  ///< of lamps and receivers
+/// True if receiver and lamp are within each other's cone, with nothing between them.
 [[nodiscard]] bool dazzles(const LampBeam& lamp, const Gaze& gaze);
 
 class Light {

@@ -57,7 +57,7 @@ struct Ball {
 /// thousand models a sweep has to tell quickly which ones are far away.
 class Whereabouts {
   public:
-    /// Nothing is known.
+    /// A place that is not known.
     Whereabouts() = default;
     /// It is there from this time on, with all its points in this ball.
     Whereabouts(const Ball& ball, sim::Time since)
@@ -79,7 +79,7 @@ class Whereabouts {
         last_m_ = to_m;
     }
 
-    /// Whether none of it is in the ball at any time from this one on.
+    /// True if no part of it is in the ball at any time from this one on.
     [[nodiscard]] bool is_outside(const Ball& ball, sim::Time from) const {
         const double reach_m = ball.radius_m + radius_m_ + strays_m_;
         const glm::dvec3 apart_m = at_m_ - ball.middle_m;

@@ -41,7 +41,7 @@ struct Placement {
     bool from_now_on = false;
 };
 
-/// Why a placement is refused.
+/// The reason for which a placement is refused.
 struct NotPlaced : sim::Fault {
     enum class Reason {
         unknown,    ///< there is no such thing, or several could be meant

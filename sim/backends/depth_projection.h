@@ -70,7 +70,7 @@ class Frustum {
         across,  ///< some of it may lie beyond a side
         inside,
     };
-    /// Where a box lies, given relative to the eye.
+    /// The place of a box that is given relative to the eye.
     [[nodiscard]] Place place_of(const glm::vec3& middle_m, const glm::vec3& half_m) const;
 
     /// Not zero where a box is beyond. For loops over many: it has no branches.

@@ -27,7 +27,7 @@ class AirPath {
     /// A beam in W that begins there.
     AirPath(std::span<const Medium> media, const glm::dvec3& from_m, const glm::dvec3& direction);
 
-    /// What is left of light that goes so far and comes back: Beer and Lambert's law, both ways.
+    /// The share of light left after the range and back: Beer and Lambert's law, both ways.
     [[nodiscard]] double left(double range_m) const;
 
     struct Drop {
@@ -49,10 +49,10 @@ class AirPath {
     std::vector<Stretch> stretches_;
 };
 
-/// So that the beams of several media do not share their chance.
+/// Keeps the random numbers of several media apart.
 constexpr std::uint32_t media_apart = 1U << 20U;
 
-/// Where the beam is within the box, from and to; from > to: nowhere.
+/// The part of the beam within the box, from and to; from > to: none.
 std::pair<double, double> within(const Medium& medium, const glm::dvec3& from_m,
                                  const glm::dvec3& direction) {
     double enters = 0.0;

@@ -59,7 +59,7 @@ class LastErrors {
     double per_lattice_;
 };
 
-/// How much of the spread of ranges within a footprint shows as noise. Recorded walls that are met
+/// The share of the spread within a footprint that shows as noise. Recorded walls that are met
 /// at 40 to 75 degrees leave no room for more.
 inline constexpr double spread_share = 0.02;
 
@@ -67,7 +67,7 @@ inline constexpr double spread_share = 0.02;
 /// scan.
 class Deviation {
   public:
-    /// So many times what `curves` say, which must outlive it.
+    /// Multiplies `curves` by the factor; they must outlive it.
     Deviation(const NoiseLaw& law, const SpecCurves& curves, double factor);
 
     /// For a white wall that is met head-on.

@@ -99,7 +99,7 @@ void draw_mark(const Sheet& sheet, Spot spot, const PointStyle& style, int echo,
     sheet.stroke(style.colour, stroke_width);
 }
 
-/// What the names below the plot take, in the page's units.
+/// The height of the names below the plot, in the page's units.
 double height_of_names(const TopView& view, const Legend& legend) {
     const std::size_t rows = (entries_of(view, legend).size() + columns - 1) / columns;
     return static_cast<double>(rows) * row_height;

@@ -31,8 +31,8 @@ class BrailleCanvas {
     [[nodiscard]] int width() const { return columns_ * dots_across; }
     [[nodiscard]] int height() const { return rows_ * dots_down; }
 
-    /// What follows has this colour, one of the 256 that terminals have. A cell has the colour of
-    /// what came last.
+    /// The colour of the dots that follow, one of the 256 of terminals. A cell has that of its last
+    /// dot.
     void choose(std::optional<int> colour) { colour_ = colour; }
 
     /// Ignores dots outside the canvas.

@@ -65,7 +65,7 @@ class TimeLeader {
     }
 
   private:
-    /// Those who have not done the step. Who is lost, or on the wall clock, takes no part.
+    /// The daemons that have not done the step, but for lost ones and those on the wall clock.
     std::vector<std::string> missing() {
         std::vector<std::string> names;
         for (const auto& [name, note] : session_.kept_now().daemons) {

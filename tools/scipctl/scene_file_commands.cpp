@@ -38,7 +38,7 @@ struct DownloadedWorld {
 
 using Json = ControlClient::Json;
 
-/// What a mesh of the control API begins with: "SCM1" (docs/api.md).
+/// The first four bytes of a mesh of the control API: "SCM1" (docs/api.md).
 constexpr std::uint32_t magic = 0x314D4353;
 
 [[noreturn]] void refuse_mesh(const std::string& hash) {

@@ -30,8 +30,8 @@
 namespace scipd::tools {
 namespace {
 
-/// As long as it lives, keys that are pressed are not shown, SIGINT (Ctrl-C), SIGTERM and SIGHUP do
-/// not end the program, and afterwards the terminal is as it was.
+/// While it lives, keys are not echoed, and SIGINT (Ctrl-C), SIGTERM and SIGHUP do not end the
+/// program. Its destructor restores the terminal.
 class Keyboard {
   public:
     Keyboard();
@@ -99,7 +99,7 @@ bool Keyboard::ends_within(std::chrono::milliseconds time) {
     }
 }
 
-/// Whether standard output is a terminal.
+/// True if standard output is a terminal.
 bool draws_on_terminal() {
     return ::isatty(STDOUT_FILENO) == 1;
 }
@@ -125,7 +125,7 @@ std::optional<double> rate(const Json& before, const Json& now, double seconds) 
     return more < 0 ? std::nullopt : std::optional(more / seconds);
 }
 
-/// Null where there is none.
+/// Returns null where there is none.
 Json member(const Json& object, const std::string& key) {
     return object.is_object() ? object.value(key, Json()) : Json();
 }
@@ -176,7 +176,7 @@ std::vector<SensorRates> rates_between(const Json& earlier, const Json& later) {
     return rates;
 }
 
-/// As `scipctl top --json` writes it.
+/// The object that `scipctl top --json` writes.
 Json to_json(const SensorRates& sensor) {
     Json casts = Json::object();
     for (const auto& [backend, rate] : sensor.casts_per_s)

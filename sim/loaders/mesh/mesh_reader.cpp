@@ -50,14 +50,14 @@ class MeshFolder final : public Assimp::DefaultIOSystem {
     void relieve(std::string contents) { relieved_ = std::move(contents); }
 
     bool Exists(const char* file) const override;
-    /// Null if the file may not be opened. Nothing may be opened for writing.
+    /// Returns null if the file may not be opened; no file may be opened for writing.
     Assimp::IOStream* Open(const char* file, const char* mode) override;
 
-    /// Why Assimp was refused the first file that it did not get; empty if it got all.
+    /// The reason for which Assimp was refused its first file; empty if it got all.
     [[nodiscard]] const std::string& refusal() const { return refusal_; }
 
   private:
-    /// Whether the file may be opened.
+    /// The error says why the file may not be opened.
     [[nodiscard]] Expected<> check(const std::filesystem::path& file) const;
 
     std::filesystem::path mesh_;

@@ -41,7 +41,7 @@ constexpr std::array kitti_columns{"r11", "r12", "r13", "x",   "r21", "r22",
 const glm::dmat3 ours_from_camera{glm::dvec3{0.0, -1.0, 0.0}, glm::dvec3{0.0, 0.0, -1.0},
                                   glm::dvec3{1.0, 0.0, 0.0}};
 
-/// Whether it is one, with the tolerance that numbers of six digits need.
+/// True within the tolerance that numbers of six digits need.
 bool is_rotation(const glm::dmat3& matrix) {
     constexpr double tolerance = 1e-3;
     const glm::dmat3 square = glm::transpose(matrix) * matrix;

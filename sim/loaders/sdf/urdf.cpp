@@ -35,9 +35,9 @@ class UrdfTree {
         Pose parent_from_here;
         bool is_lost = false;  ///< the pose cannot be read
     };
-    /// What a link hangs on; null if on nothing.
+    /// The parent of a link; null for a root.
     [[nodiscard]] const Hung* above(const std::string& link) const;
-    /// Whether nobody knows where it is: the pose of its joint, or of one above, cannot be read.
+    /// True if the pose of its joint, or of one above, cannot be read.
     [[nodiscard]] bool is_lost(std::string link) const;
 
   private:

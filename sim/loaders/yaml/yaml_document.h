@@ -41,7 +41,7 @@ class YamlFaults {
     }
     void add(int line, std::string_view path, std::string_view sentence);
 
-    /// What is wrong becomes a fault of the field.
+    /// Adds an error to the faults of the field.
     void require(const YamlField& field, const Expected<>& checked) {
         if (!checked) add(field, checked.error().why);
     }
@@ -55,7 +55,7 @@ class YamlFaults {
         }
     }
 
-    /// What looks wrong and is taken as it is.
+    /// Warns of a value that looks wrong and is accepted.
     void warn(const YamlField& field, std::string_view sentence) {
         warnings_.push_back(place(field.line, field.path) + std::string(sentence));
     }

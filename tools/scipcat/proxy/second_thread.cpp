@@ -44,8 +44,8 @@ std::optional<Heard> HeardQueue::pop() {
     return heard;
 }
 
-// What does not fit before the end of the ring goes on at its beginning. Bytes may be none, from
-// nowhere, which memcpy() must not get.
+// Bytes that do not fit before the end of the ring continue at its beginning. memcpy() must not get
+// the null pointer of an empty range.
 void HeardQueue::put(std::size_t at, const void* from, std::size_t count) {
     const auto* bytes = static_cast<const char*>(from);
     const std::size_t place = at % capacity;

@@ -37,7 +37,7 @@ class HeardQueue {
   public:
     /// Waits where there is no room, and never for more than that.
     void push(Heard::What what, sim::HostTime time, std::string_view bytes);
-    /// Nothing: it is empty.
+    /// Returns nullopt if it is empty.
     [[nodiscard]] std::optional<Heard> pop();
 
   private:
