@@ -28,6 +28,21 @@ sim::Expected<std::optional<Begins>> parse_begins(std::string_view text) {
                        sim::quote(text));
 }
 
+/// A path, or a list of those that are one recording.
+void read_files(const sim::YamlField& field, const std::filesystem::path& base,
+                sim::YamlFaults& faults, std::vector<std::filesystem::path>& files) {
+    const auto read = [&](const YAML::Node& node) {
+        const auto file = sim::text_of(node).and_then(
+            [&](const std::string& text) { return parse_recording(text, base); });
+        if (file) files.push_back(*file);
+        if (!file) faults.add(field, file.error().why);
+    };
+    if (!field.value.IsSequence()) return read(field.value);
+    if (field.value.size() == 0) faults.add(field, "needs a file, which is a recording");
+    for (const YAML::Node& node : field.value)
+        read(node);
+}
+
 }  // namespace
 
 sim::Expected<std::filesystem::path> parse_recording(std::string_view text,
@@ -36,7 +51,7 @@ sim::Expected<std::filesystem::path> parse_recording(std::string_view text,
         return sim::refuse(sim::quote(text) +
                            " is a trajectory, not a recording; a robot follows it by its poses "
                            "(--poses)");
-    return parse_file(text, base);
+    return parse_scene(text, base);  // or a folder, as a bag of rosbag2 is
 }
 
 sim::Expected<ReplayLoop> parse_loop(std::string_view text) {
@@ -52,14 +67,14 @@ sim::Expected<ReplayLoop> parse_loop(std::string_view text) {
 ReplayConfig read_replay(const sim::YamlField& field, const std::filesystem::path& base,
                          sim::YamlFaults& faults) {
     ReplayConfig replay;
-    const auto parse = [&](const std::string& text) { return parse_recording(text, base); };
     if (!field.value.IsMap()) {
-        faults.take(field, sim::text_of(field.value).and_then(parse), replay.file);
+        read_files(field, base, faults, replay.files);
         return replay;
     }
     const sim::YamlSection section{field, replay_keys, faults};
-    if (!section.find("file")) faults.add(field, "needs a file, which is a recording");
-    section.read("file", replay.file, parse);
+    const sim::YamlField* const file = section.find("file");
+    if (file == nullptr) faults.add(field, "needs a file, which is a recording");
+    if (file != nullptr) read_files(*file, base, faults, replay.files);
     section.read("stream", replay.stream);
     section.read("loop", replay.loop, parse_loop);
     section.read("speed", replay.speed, parse_speed);

@@ -11,11 +11,12 @@
 
 namespace scipd::daemon {
 
-/// A file, or a map {file, stream, loop, speed, from_s}. Files are relative to `base`.
+/// A file, a list of them, or a map {file, stream, loop, speed, from_s}. Files are relative to
+/// `base`.
 [[nodiscard]] ReplayConfig read_replay(const sim::YamlField& field,
                                        const std::filesystem::path& base, sim::YamlFaults& faults);
 
-/// A file that is no trajectory by its name.
+/// A file or folder that is no trajectory by its name.
 [[nodiscard]] sim::Expected<std::filesystem::path> parse_recording(
     std::string_view text, const std::filesystem::path& base);
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace scipd::daemon {
 
@@ -24,7 +25,7 @@ struct AsRecorded {
 };
 
 struct ReplayConfig {
-    std::filesystem::path file;
+    std::vector<std::filesystem::path> files;  ///< one recording; also folders of it
     std::string stream;  ///< which of several scanners or topics of the file; empty: the only one
     ReplayLoop loop = ReplayLoop::none;
     double speed = 1.0;               ///< how many times as fast as it was recorded
@@ -32,6 +33,14 @@ struct ReplayConfig {
     /// When the first scan begins, on the line of the poses' stamps; nothing: at once.
     std::optional<std::variant<std::chrono::nanoseconds, AsRecorded>> begins;
     bool finds_model = false;  ///< the recording says of which model the scanner is
+
+    /// "a.mcap+b.mcap"
+    [[nodiscard]] std::string name() const {
+        std::string text;
+        for (const std::filesystem::path& file : files)
+            text += (text.empty() ? "" : "+") + file.string();
+        return text;
+    }
 
     bool operator==(const ReplayConfig&) const = default;
 };

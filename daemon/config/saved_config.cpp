@@ -122,7 +122,11 @@ void say_options(const SensorConfig& sensor, YAML::Node said) {
 
 void say_replay(const ReplayConfig& replay, YAML::Node said) {
     if (!said["replay"].IsMap()) said["replay"] = YAML::Node{YAML::NodeType::Map};
-    said["replay"]["file"] = replay.file.string();
+    const bool single = replay.files.size() == 1;
+    YAML::Node files{single ? YAML::Node{replay.files.front().string()} : YAML::Node{}};
+    for (std::size_t i = 0; !single && i < replay.files.size(); ++i)
+        files.push_back(replay.files[i].string());
+    said["replay"]["file"] = files;
     if (replay.loop == ReplayLoop::again) said["replay"]["loop"] = "true";
     if (replay.loop == ReplayLoop::on) said["replay"]["loop"] = "on";
 }

@@ -17,7 +17,6 @@
 #include "daemon/plan/step_map.h"
 #include "daemon/recording/decoded_recording.h"
 #include "sim/loaders/file/load_error.h"
-#include "sim/recording/open_recording.h"
 #include "sim/text/quote.h"
 
 namespace scipd::daemon {
@@ -31,14 +30,14 @@ constexpr std::uint32_t stamp_mask = (1U << 24U) - 1;
 constexpr sim::Time longest_gap = 60s;
 
 [[noreturn]] void fail(const ReplayConfig& replay, const std::string& why) {
-    throw sim::LoadError({replay.file.string() + ": " + why});
+    throw sim::LoadError({replay.name() + ": " + why});
 }
 
 /// Scan after scan of the stream that is wanted.
 class ScanReader {
   public:
     explicit ScanReader(const ReplayConfig& replay) : replay_(replay) {
-        auto opened = open_scans(replay.file);
+        auto opened = open_scans(replay.files);
         if (!opened) throw sim::LoadError({opened.error().why});
         recording_ = *std::move(opened);
     }

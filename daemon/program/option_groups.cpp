@@ -179,13 +179,18 @@ void add_robot(CLI::App& app, OptionValues& said) {
 }
 
 void add_replay(Group& group, SensorConfig& sensor) {
-    group.add("--replay", "FILE",
-              "play this recording in place of a world: MCAP, UBH, CSV, JSON lines, bags of ROS, "
-              "rows of numbers, logs of CARMEN, CoreSLAM and Player, .npy or pcap; default: none",
-              [&](const auto& text) {
-                  if (!sensor.replay) sensor.replay.emplace();
-                  return put(parse_recording(text, fs::current_path()), sensor.replay->file);
-              });
+    group
+        .add("--replay", "FILE",
+             "play this recording in place of a world: MCAP, UBH, CSV, JSON lines, bags of ROS, "
+             "rows of numbers, logs of CARMEN, CoreSLAM and Player, .npy or pcap; several files, "
+             "or the folder of a bag, are one recording; default: none",
+             [&](const auto& text) {
+                 if (!sensor.replay) sensor.replay.emplace();
+                 return parse_recording(text, fs::current_path()).map([&](const fs::path& file) {
+                     sensor.replay->files.push_back(file);
+                 });
+             })
+        ->expected(1, CLI::detail::expected_max_vector_size);
     group
         .add("--loop", "true|on|false",
              "restart it at its end, with the recorded stamps (true) or with stamps that go on "

@@ -43,6 +43,7 @@ class DecodedRecording final : public sim::Recording {
         }
         RecordedItem item = std::move(ready_.front());
         ready_.pop_front();
+        check_time(item);
         return item;
     }
 
@@ -64,7 +65,8 @@ class DecodedRecording final : public sim::Recording {
         if (auto* const scan = std::get_if<RecordedScan>(&item.what)) {
             const std::size_t outer = outer_index(item.stream);
             stream(outer) = inner_->streams()[item.stream];  // which may be better known by now
-            ready_.push_back({outer, sim::counter_clockwise(std::move(*scan))});
+            ready_.push_back(
+                {outer, sim::counter_clockwise(std::move(*scan)), item.logged, item.stamped});
             return;
         }
         // Where scans are beside the bytes, they are the same.
@@ -78,7 +80,22 @@ class DecodedRecording final : public sim::Recording {
             ready_.push_back({outer, std::move(scan)});
     }
 
+    void check_time(const RecordedItem& item) {
+        const auto time = std::get<RecordedScan>(item.what).host_time;
+        Times& times = times_[item.stream];
+        ++times.scans;
+        if (time && times.last && *time < *times.last && ++times.back == 1)
+            times.first_back = times.scans;
+        if (time) times.last = time;
+    }
+
     Next end() {
+        for (const auto& [index, times] : times_) {
+            if (times.back == 0) continue;
+            warn(sim::printable(streams()[index].name) + ": the times of its scans go back " +
+                 std::to_string(times.back) + " times, first at scan " +
+                 std::to_string(times.first_back));
+        }
         for (const auto& [inner, decoder] : decoders_) {
             if (decoder.sound_messages() == 0 || decoder.damaged_scans() == 0) continue;
             warn(sim::printable(inner_->streams()[inner].name) + ": " +
@@ -89,7 +106,16 @@ class DecodedRecording final : public sim::Recording {
         return std::nullopt;
     }
 
+    /// The times of a stream so far.
+    struct Times {
+        std::optional<sim::HostTime> last;
+        std::size_t scans = 0;
+        std::size_t back = 0;        ///< times that are earlier than the one before
+        std::size_t first_back = 0;  ///< number of the first such scan, from 1
+    };
+
     std::unique_ptr<sim::Recording> inner_;
+    std::map<std::size_t, Times> times_;
     std::map<std::size_t, std::size_t> outer_;  ///< by the index of the inner stream
     std::map<std::size_t, WireDecoder> decoders_;
     std::deque<RecordedItem> ready_;
@@ -97,8 +123,9 @@ class DecodedRecording final : public sim::Recording {
 
 }  // namespace
 
-sim::Expected<std::unique_ptr<sim::Recording>> open_scans(const std::filesystem::path& path) {
-    return sim::open_recording(path).map(scans_of);
+sim::Expected<std::unique_ptr<sim::Recording>> open_scans(
+    const std::vector<std::filesystem::path>& paths) {
+    return sim::open_recording(paths).map(scans_of);
 }
 
 std::unique_ptr<sim::Recording> scans_of(std::unique_ptr<sim::Recording> recording) {

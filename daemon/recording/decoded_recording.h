@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "sim/expected.h"
 #include "sim/recording/values/recording.h"
@@ -14,9 +15,9 @@
 namespace scipd::daemon {
 
 /// As sim::open_recording(), but all items are scans, and connections on which nobody spoke SCIP
-/// are no streams.
+/// are no streams. A warning says where a stream's times go back.
 [[nodiscard]] sim::Expected<std::unique_ptr<sim::Recording>> open_scans(
-    const std::filesystem::path& path);
+    const std::vector<std::filesystem::path>& paths);
 [[nodiscard]] std::unique_ptr<sim::Recording> scans_of(std::unique_ptr<sim::Recording> recording);
 
 }  // namespace scipd::daemon

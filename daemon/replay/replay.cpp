@@ -19,7 +19,7 @@ using Scaled = std::chrono::duration<double, sim::Time::period>;
 
 Replay::Replay(SharedTape tape, const ReplayConfig& config)
     : tape_(std::move(tape)),
-      file_(config.file.string()),
+      file_(config.name()),
       loop_(config.loop),
       speed_(config.speed),
       position_(static_cast<std::int64_t>(tape_->at(config.from))) {

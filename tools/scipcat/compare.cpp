@@ -91,7 +91,8 @@ void add_compare_command(CLI::App& program) {
         "Examples:\n"
         "  scipcat compare tcp://192.168.0.10:10940 tcp://127.0.0.1:10940\n"
         "  scipcat compare real.mcap /dev/ttyACM0 -n 400\n"
-        "  scipcat compare before.mcap after.mcap --no-fit -o report.html");
+        "  scipcat compare before.mcap after.mcap --no-fit -o report.html\n"
+        "  scipcat compare day_0.bag+day_1.bag rosbag2_night");
 }
 
 }  // namespace scipd::tools

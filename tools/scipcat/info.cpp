@@ -5,9 +5,11 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "tools/options.h"
 #include "tools/scipcat/recording_info.h"
 #include "tools/scipcat/recording_target.h"
 #include "tools/scipcat/scan_options.h"
@@ -22,6 +24,7 @@ using protocol::client::Version;
 
 struct InfoOptions {
     ConnectionOptions connection;
+    std::vector<std::string> more;
     bool json = false;
 };
 
@@ -103,8 +106,12 @@ nlohmann::ordered_json as_json(const ConnectedScanner& scanner, const SensorStat
 }
 
 void show(const InfoOptions& options) {
-    const std::string& target = options.connection.target;
+    std::string target = options.connection.target;
+    for (const std::string& file : options.more)
+        target += "+" + file;
     if (is_recording(target)) return show_recording(target, options.json);
+    if (!options.more.empty())
+        throw WrongInput(target + " is not one recording: name a scanner, or files and folders");
     ConnectedScanner scanner = options.connection.open();
     const SensorState state = scanner.driver().state();
     if (!options.json) return print(scanner, state);
@@ -119,13 +126,16 @@ void add_info_command(CLI::App& program) {
         "info", "show the identity and state of a scanner, or the contents of a recording");
     const auto options = std::make_shared<InfoOptions>();
     options->connection.add_to(*command, Targets::scanners_and_recordings);
+    command->add_option("MORE", options->more, "more files of the recording, in order of time");
     command->add_flag("--json", options->json, "as a JSON document");
     command->callback([options] { show(*options); });
     command->footer(
         "Examples:\n"
         "  scipcat info tcp://192.168.0.10:10940\n"
         "  scipcat info /dev/ttyACM0 --json | jq .serial\n"
-        "  scipcat info room.mcap");
+        "  scipcat info room.mcap\n"
+        "  scipcat info rosbag2_drive               # the folder of a bag\n"
+        "  scipcat info drive_0.bag drive_1.bag     # one recording in several files");
 }
 
 }  // namespace scipd::tools

@@ -40,13 +40,12 @@ PlotSubject subject_of(ConnectedScanner& scanner, const ScanOptions& options) {
     return {daemon::recorded_scan(scan, identity, std::chrono::system_clock::now()), identity};
 }
 
-PlotSubject subject_of(const std::filesystem::path& file, std::uint64_t number) {
+PlotSubject subject_of(const std::string& file, std::uint64_t number) {
     const auto recording = open_recorded(file);
     for (std::uint64_t count = 1;; ++count) {
         auto item = recording->next();
         if (!item) throw WrongInput(item.error().why);
-        if (!*item)
-            throw WrongInput(file.string() + " has " + std::to_string(count - 1) + " scans");
+        if (!*item) throw WrongInput(file + " has " + std::to_string(count - 1) + " scans");
         if (count < number) continue;
         auto& scan = std::get<sim::RecordedScan>((*item)->what);
         return {std::move(scan), recording->streams()[(*item)->stream].identity};

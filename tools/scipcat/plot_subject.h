@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 
 #include "sim/recording/values/recorded_scan.h"
@@ -24,7 +23,7 @@ struct PlotSubject {
 [[nodiscard]] PlotSubject subject_of(ConnectedScanner& scanner, const ScanOptions& options);
 
 /// The scan with this number, from 1. Throws WrongInput.
-[[nodiscard]] PlotSubject subject_of(const std::filesystem::path& recording, std::uint64_t number);
+[[nodiscard]] PlotSubject subject_of(const std::string& recording, std::uint64_t number);
 
 /// Which scanner, and which scan, as far as they are known.
 [[nodiscard]] std::string scanner_text(const PlotSubject& subject);

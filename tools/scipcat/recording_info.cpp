@@ -58,6 +58,13 @@ std::string values_text(const StreamSummary& summary) {
     return text;
 }
 
+/// Empty: the format has one time only.
+std::string times_text(const StreamSummary& summary) {
+    if (summary.stamped == 0) return summary.logged == 0 ? "" : "log time";
+    if (summary.logged == 0) return "header stamps";
+    return formatted("header stamps, and log time of %zu scans without", summary.logged);
+}
+
 std::string gaps_text(const StreamSummary& summary) {
     std::string text;
     for (std::size_t i = 0; i < std::min(summary.gaps.size(), most_gaps_shown); ++i) {
@@ -81,12 +88,13 @@ void show_stream(const StreamSummary& summary) {
     show_line("range", range_text(identity));
     show_line("scans", length_text(summary));
     if (summary.scans > 0) show_line("values", values_text(summary));
+    show_line("times", times_text(summary));
     show_line("gaps", gaps_text(summary));
     show_line("health", value_of(identity.state, "STAT"));
 }
 
-void show(const std::filesystem::path& file, const RecordingSummary& summary) {
-    std::cout << file.string() << ": " << summary.format << '\n';
+void show(const std::string& target, const RecordingSummary& summary) {
+    std::cout << target << ": " << summary.format << '\n';
     for (const StreamSummary& stream : summary.streams)
         show_stream(stream);
     if (summary.streams.empty()) std::cout << "It holds no scans.\n";
@@ -129,6 +137,7 @@ void add_stream(Json& object, const StreamSummary& summary) {
     object["scans"] = summary.scans;
     object["steps"] = summary.steps;
     object["seconds"] = summary.seconds;
+    object["times"] = {{"stamped", summary.stamped}, {"logged", summary.logged}};
     object["intensities"] = summary.intensities;
     object["echoes"] = summary.echoes;
     object["codes"] = summary.codes;
@@ -153,10 +162,10 @@ Json as_json(const RecordingSummary& summary) {
 
 }  // namespace
 
-void show_recording(const std::filesystem::path& file, bool json) {
-    const auto summary = summarize(*open_recorded(file));
+void show_recording(const std::string& target, bool json) {
+    const auto summary = summarize(*open_recorded(target));
     if (!summary) throw WrongInput(summary.error().why);
-    if (!json) return show(file, *summary);
+    if (!json) return show(target, *summary);
     std::cout << as_json(*summary).dump(2, ' ', true, nlohmann::json::error_handler_t::replace)
               << '\n';
 }

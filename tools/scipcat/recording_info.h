@@ -2,11 +2,11 @@
 // Copyright The scipd authors
 #pragma once
 
-#include <filesystem>
+#include <string>
 
 namespace scipd::tools {
 
 /// Prints what the recording holds, for people or as JSON. Throws WrongInput if it cannot be read.
-void show_recording(const std::filesystem::path& file, bool json);
+void show_recording(const std::string& target, bool json);
 
 }  // namespace scipd::tools

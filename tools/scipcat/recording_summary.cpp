@@ -26,18 +26,20 @@ std::optional<double> stamped_seconds_between(const RecordedScan& before,
     return std::nullopt;
 }
 
-/// The seconds from one scan to the next; nothing where neither clock tells.
+/// The seconds from one scan to the next, not negative; nullopt where neither clock says.
 std::optional<double> seconds_between(const RecordedScan& before, const RecordedScan& scan) {
     if (const auto stamped = stamped_seconds_between(before, scan)) return stamped;
     if (before.host_time && scan.host_time)
-        return duration<double>(*scan.host_time - *before.host_time).count();
+        return std::max(duration<double>(*scan.host_time - *before.host_time).count(), 0.0);
     return std::nullopt;
 }
 
 class StreamReader {
   public:
-    void take(RecordedScan scan) {
+    void take(sim::RecordedItem& item, RecordedScan scan) {
         ++summary_.scans;
+        if (item.stamped) ++summary_.stamped;
+        if (item.logged && !item.stamped) ++summary_.logged;
         summary_.steps = std::max(summary_.steps, scan.steps());
         summary_.intensities = summary_.intensities || !scan.intensities.empty();
         summary_.echoes = summary_.echoes || scan.has_echoes();
@@ -82,7 +84,7 @@ sim::Expected<RecordingSummary> summarize(sim::Recording& recording) {
         readers.resize(recording.streams().size());
         if (!*item) break;
         auto* const scan = std::get_if<RecordedScan>(&(*item)->what);
-        if (scan != nullptr) readers[(*item)->stream].take(std::move(*scan));
+        if (scan != nullptr) readers[(*item)->stream].take(**item, std::move(*scan));
     }
     RecordingSummary summary{recording.format(), {}, recording.warnings()};
     for (std::size_t i = 0; i < readers.size(); ++i)

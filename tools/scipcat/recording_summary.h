@@ -29,6 +29,8 @@ struct StreamSummary {
     double seconds = 0;     ///< from the first scan to the last, by the scanner's clock if there is
                             ///< one, else by the host's
     std::optional<sim::HostTime> begin;  ///< of the first scan
+    std::size_t stamped = 0;             ///< scans whose time is the stamp in their header
+    std::size_t logged = 0;              ///< scans whose time is that of the log
     bool intensities = false;            ///< in any scan
     bool echoes = false;
     bool codes = false;  ///< ranges are as the scanner sent them

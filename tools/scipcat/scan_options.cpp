@@ -37,7 +37,10 @@ constexpr auto scanner = "the scanner: tcp://HOST:PORT, or a tty such as /dev/tt
 
 void add_target(CLI::App& command, const std::string& name, std::string& target, Targets targets) {
     const bool recordings = targets == Targets::scanners_and_recordings;
-    command.add_option(name, target, scanner + std::string(recordings ? "; or a recording" : ""))
+    command
+        .add_option(
+            name, target,
+            scanner + std::string(recordings ? "; or a recording: FILE, FOLDER or FILE+FILE" : ""))
         ->required()
         ->check(CLI::Validator(recordings ? why_no_target : why_no_scanner, "", "target"));
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "daemon/recording/decoded_recording.h"
+#include "sim/recording/recording_files.h"
 #include "tools/options.h"
 #include "tools/scipfit/chosen_stream.h"
 
@@ -76,7 +77,7 @@ Point placed(const LaserPose& pose, const Point& seen) {
 }
 
 Drive read_drive(const std::filesystem::path& file, const std::string& stream) {
-    const auto recording = daemon::open_scans(file);
+    const auto recording = daemon::open_scans(sim::split_paths(file.string()));
     if (!recording) throw WrongInput(recording.error().why);
     std::vector<sim::RecordedScan> scans;
     std::optional<double> told_m;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "daemon/recording/decoded_recording.h"
+#include "sim/recording/recording_files.h"
 #include "tools/options.h"
 #include "tools/scipfit/chosen_stream.h"
 
@@ -151,7 +152,7 @@ void add_scans(sim::Recording& recording, const std::string& name, const std::st
 Readings read_readings(std::span<const std::filesystem::path> files, const std::string& stream) {
     Readings readings;
     for (const std::filesystem::path& file : files) {
-        const auto recording = daemon::open_scans(file);
+        const auto recording = daemon::open_scans(sim::split_paths(file.string()));
         if (!recording) throw WrongInput(recording.error().why);
         add_scans(**recording, file.string(), stream, readings);
     }

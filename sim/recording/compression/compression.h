@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The compressed blocks of recordings. Each library is behind one source. Any thread; nothing
-// shared.
+// The compressed blocks and files of recordings. Any thread; nothing shared.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,11 @@ inline constexpr std::size_t largest_block = std::size_t{256} << 20;
                                                std::size_t most = largest_block);
 [[nodiscard]] Expected<std::string> unpack_bzip2(std::string_view packed,
                                                  std::size_t most = largest_block);
+
+/// Piece after piece: `read` returns the next packed bytes, or none at the end, and `write` gets
+/// what they make.
+[[nodiscard]] Expected<> unpack_zstd(const std::function<Expected<std::string>()>& read,
+                                     const std::function<Expected<>(std::string_view)>& write);
 
 [[nodiscard]] std::string pack_zstd(std::string_view bytes);
 [[nodiscard]] std::string pack_lz4(std::string_view bytes);

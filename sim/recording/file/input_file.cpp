@@ -20,8 +20,7 @@ std::string why_no_file(const fs::path& path) {
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) return "there is no such file";
     if (status.type() == fs::file_type::none) return "cannot be read: " + error.message();
-    if (status.type() == fs::file_type::directory)
-        return "is a folder; name a recording in it, such as its .mcap or .db3";
+    if (status.type() == fs::file_type::directory) return "is a folder";
     if (status.type() != fs::file_type::regular) return "is no plain file";
     return {};
 }

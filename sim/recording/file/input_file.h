@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "sim/expected.h"
 
@@ -24,6 +25,8 @@ class InputFile {
 
     /// Fit for messages.
     [[nodiscard]] const std::string& name() const { return name_; }
+    /// Changes the name that stands in messages.
+    void call(std::string name) { name_ = std::move(name); }
     /// Where the file is on a disk; empty for one in memory.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::uint64_t size() const { return size_; }

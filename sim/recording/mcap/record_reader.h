@@ -1,61 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Reads an MCAP file record after record, without its index, so that one whose writer was killed is
-// read as well. The records of chunks come in place of the chunk, once its sum was checked. Of one
-// owner; any thread.
+// The records of an MCAP file, one after the other, without its index, so that one whose writer was
+// killed is read as well. The index serves where a record is damaged: it says where the next chunk
+// begins. Of one owner; any thread.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
-#include "sim/recording/file/byte_reader.h"
 #include "sim/recording/file/input_file.h"
 #include "sim/recording/mcap/mcap_format.h"
 
 namespace scipd::sim::mcap {
 
-struct Record {
+/// A record of the file, which is not yet read.
+struct RecordHead {
     Opcode opcode{};
-    std::uint64_t byte = 0;    ///< where it, or the chunk that it is in, begins in the file
-    std::string_view content;  ///< until the next one is read
+    std::uint64_t byte = 0;   ///< offset in the file
+    std::uint64_t begin = 0;  ///< offset of its content
+    std::uint64_t length = 0;
 };
 
 class RecordReader {
   public:
-    explicit RecordReader(InputFile file) : file_(std::move(file)) {}
+    using Lose = std::function<void(const tl::unexpected<Fault>&)>;
+    /// `lose` gets what is damaged.
+    RecordReader(InputFile& file, Lose lose) : file_(file), lose_(std::move(lose)) {}
 
-    /// Whether the file is MCAP at all.
-    [[nodiscard]] Expected<> check_magic();
+    /// The next record, also of the summary; nullopt at the end of the file.
+    [[nodiscard]] Expected<std::optional<RecordHead>> next();
 
-    /// The next Schema, Channel, Message, Metadata or Header; nothing at the end of the data.
-    [[nodiscard]] Expected<std::optional<Record>> next();
-
-    /// From now on chunks that end before this time are passed over unread.
-    void skip_to(std::uint64_t log_ns) { skip_to_ns_ = log_ns; }
-
+    /// True once the records of the summary come.
+    [[nodiscard]] bool in_summary() const { return in_summary_; }
     /// What is missing at the end of the file, for the user; empty: it is whole.
     [[nodiscard]] const std::string& lost() const { return lost_; }
-    [[nodiscard]] const InputFile& file() const { return file_; }
 
   private:
-    [[nodiscard]] Expected<std::optional<Record>> next_in_file();
-    [[nodiscard]] Expected<std::optional<Record>> next_in_chunk();
-    [[nodiscard]] Expected<bool> is_early(std::uint64_t chunk);
-    [[nodiscard]] Expected<> unpack(std::string_view content);
-    [[nodiscard]] std::optional<Record> ends(const std::string& how);
+    [[nodiscard]] std::optional<std::uint64_t> chunk_behind(std::uint64_t byte);
 
-    InputFile file_;
+    InputFile& file_;
+    Lose lose_;
     std::uint64_t next_byte_ = magic.size();
-    std::uint64_t skip_to_ns_ = 0;
-    std::uint64_t byte_ = 0;  ///< where the record in content_ begins
-    std::string content_;
-    std::string chunk_;  ///< unpacked
-    ByteReader in_chunk_{{}};
+    bool in_summary_ = false;
     std::string lost_;
 };
+
+/// The records of a chunk, once its checksum is right.
+[[nodiscard]] Expected<std::string> unpack_chunk(std::string_view content);
 
 }  // namespace scipd::sim::mcap

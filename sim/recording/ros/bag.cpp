@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/recording/ros/bag.h"
-
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -10,9 +9,8 @@
 
 #include "sim/recording/compression/compression.h"
 #include "sim/recording/file/byte_reader.h"
-#include "sim/recording/file/byte_writer.h"
-#include "sim/recording/ros/laser_topics.h"
-#include "sim/recording/values/left_out.h"
+#include "sim/recording/ros/bags.h"
+#include "sim/recording/ros/block_recording.h"
 #include "sim/text/quote.h"
 
 namespace scipd::sim {
@@ -20,7 +18,14 @@ namespace {
 
 constexpr std::string_view bag_magic = "#ROSBAG V2.0\n";
 
-enum class Operation : std::uint8_t { message = 2, chunk = 5, connection = 7 };  // and others
+enum class Operation : std::uint8_t {
+    message = 2,
+    bag_header,
+    index,
+    chunk,
+    chunk_info,
+    connection
+};
 
 /// The fields of a record's header, NAME=VALUE each.
 class BagFields {
@@ -53,146 +58,176 @@ class BagFields {
 };
 
 /// Seconds, then nanoseconds, of 32 bits each.
-HostTime bag_time(const BagFields& fields) {
-    const auto both = fields.number<std::uint64_t>("time");
+HostTime bag_time(const BagFields& fields, const std::string& name) {
+    const auto both = fields.number<std::uint64_t>(name);
     return host_time_at(both & 0xFFFFFFFF, both >> 32);
-}
-
-bool is_wanted(Operation operation) {
-    return operation == Operation::chunk || operation == Operation::connection ||
-           operation == Operation::message;
 }
 
 /// A record as it stands in the file.
 struct FileRecord {
     std::string header;
     std::uint64_t data_begin = 0;
-    std::uint32_t data_size = 0;
+    std::uint64_t data_size = 0;
+
+    [[nodiscard]] std::uint64_t end() const { return data_begin + data_size; }
 };
 
-Expected<std::string> unpacked(const std::string& compression, std::string data) {
-    if (compression == "none") return data;
+Expected<std::string> unpacked_data(const std::string& compression, std::string_view data) {
+    if (compression == "none") return std::string(data);
     if (compression == "bz2") return unpack_bzip2(data);
     if (compression == "lz4") return unpack_lz4(data);
     return refuse("is packed by " + quote(compression) + ", which is unknown");
 }
 
-class Bag final : public Recording {
+class Bag final : public BlockRecording {
   public:
-    explicit Bag(InputFile file) : Recording("bag"), file_(std::move(file)) {}
+    explicit Bag(InputFile file) : BlockRecording("bag", std::move(file)) {}
+
+    /// Finds the chunks and their times, with the index of a bag that was closed.
+    Expected<> read_layout();
 
   private:
-    Next do_next() override {
-        for (;;) {
-            while (!records_.at_end()) {
-                auto item = take_record();
-                if (!item || *item) return item;
-            }
-            const auto more = read_record();
-            if (!more) return tl::unexpected(more.error());
-            if (!*more) break;
-        }
-        if (!left_out_.empty()) warn(file_.name() + ": " + left_out_.sentence());
-        return std::nullopt;
-    }
+    /// The record that begins at this byte; nullopt where the file ends within it, and where none
+    /// begins there.
+    std::optional<FileRecord> read_head(std::uint64_t byte);
+    void read_chunk_infos();
+    void take_record(const FileRecord& record, std::uint64_t byte);
+    void set_times(Block& chunk);
+    void add_connection(const BagFields& fields, std::string_view data);
+    void unpack(const Block& block, Unpacked& unpacked) override;
 
-    /// A record of a chunk, or of a file without chunks.
-    Next take_record() {
-        const BagFields fields(records_.text());
-        const std::string_view data = records_.text();
-        if (records_.too_short()) {
-            records_ = ByteReader({});
-            return file_.refuse_byte(record_begin_, "the chunk that begins here is damaged");
-        }
-        if (fields.operation() == Operation::connection) add_connection(fields, data);
-        const auto connection = fields.number<std::uint32_t>("conn");
-        if (fields.operation() != Operation::message || !topics_.has(connection))
-            return std::nullopt;
-        auto item = topics_.item(connection, bag_time(fields), data);
-        if (!item) return file_.refuse_byte(record_begin_, item.error().why);
-        return std::move(*item);
-    }
-
-    void add_connection(const BagFields& fields, std::string_view data) {
-        const std::string topic = fields.text("topic");
-        const std::string type = BagFields(data).text("type");
-        if (!topics_.add(fields.number<std::uint32_t>("conn"), {topic, type, RosEncoding::ros1}))
-            left_out_.add(topic, type);
-    }
-
-    /// Whether there was a record; what it has to say is in records_ then.
-    Expected<bool> read_record();
-    /// Nothing where the file ends within it.
-    Expected<std::optional<FileRecord>> read_head();
-    Expected<> keep(const FileRecord& record, std::string data);
-    bool lose_rest();
-
-    InputFile file_;
-    std::uint64_t next_byte_ = bag_magic.size();
-    std::uint64_t record_begin_ = 0;  ///< of the one in block_, in the file
-    std::string block_;
-    ByteReader records_{{}};  ///< the rest of block_
-    LeftOut left_out_;
-    LaserTopics topics_{{[this](RecordedStream one) { return add_stream(std::move(one)); },
-                         [this](std::size_t index) -> RecordedStream& { return stream(index); }}};
+    std::map<std::uint64_t, Block> infos_;  ///< by the byte where the chunk begins
+    bool knows_connections_ = false;        ///< from outside of chunks
 };
 
-Expected<bool> Bag::read_record() {
-    record_begin_ = next_byte_;
-    if (next_byte_ >= file_.size()) return false;
-    const auto record = read_head();
-    if (!record) return tl::unexpected(record.error());
-    if (!*record || (*record)->data_begin + (*record)->data_size > file_.size()) return lose_rest();
-    next_byte_ = (*record)->data_begin + (*record)->data_size;
-    if (!is_wanted(BagFields((*record)->header).operation())) return true;
-    if ((*record)->data_size > largest_block)
-        return file_.refuse_byte(record_begin_, "the record is larger than any of a bag");
-    auto data = file_.read((*record)->data_begin, (*record)->data_size);
-    if (!data) return tl::unexpected(data.error());
-    if (const auto kept = keep(**record, std::move(*data)); !kept)
-        return file_.refuse_byte(record_begin_, "the chunk " + kept.error().why);
-    return true;
+Expected<> Bag::read_layout() {
+    read_chunk_infos();
+    for (std::uint64_t byte = bag_magic.size(); byte < file_.size();) {
+        const auto record = read_head(byte);
+        if (record && record->end() <= file_.size()) {
+            take_record(*record, byte);
+            byte = record->end();
+            continue;
+        }
+        const auto chunk = infos_.upper_bound(byte);
+        if (chunk == infos_.end()) {
+            warn(file_.name() + " ends within the record at byte " + std::to_string(byte) +
+                 ", which is lost: its recorder was stopped there");
+            break;
+        }
+        lose(file_.refuse_byte(
+            byte, "the record here is damaged, up to byte " + std::to_string(chunk->first)));
+        byte = chunk->first;
+    }
+    for (Block& block : blocks_)
+        set_times(block);
+    begin(knows_connections_);
+    return {};
 }
 
-Expected<std::optional<FileRecord>> Bag::read_head() {
+std::optional<FileRecord> Bag::read_head(std::uint64_t byte) {
     constexpr std::size_t longest_header = std::size_t{1} << 20;
     constexpr std::size_t length = sizeof(std::uint32_t);
-    const auto beginning = file_.read(record_begin_, length);
-    if (!beginning) return tl::unexpected(beginning.error());
-    if (beginning->size() < length) return std::nullopt;
+    const auto beginning = file_.read(byte, length);
+    if (!beginning || beginning->size() < length) return std::nullopt;
     const auto header_size = ByteReader(*beginning).number<std::uint32_t>();
-    if (header_size > longest_header)
-        return file_.refuse_byte(record_begin_, "no record begins here");
-    const auto rest = file_.read(record_begin_ + length, header_size + length);
-    if (!rest) return tl::unexpected(rest.error());
-    if (rest->size() < header_size + length) return std::nullopt;
+    if (header_size > longest_header) return std::nullopt;
+    const auto rest = file_.read(byte + length, header_size + length);
+    if (!rest || rest->size() < header_size + length) return std::nullopt;
     ByteReader reader(*rest);
     FileRecord record;
     record.header = reader.take(header_size);
     record.data_size = reader.number<std::uint32_t>();
-    record.data_begin = record_begin_ + header_size + 2 * length;
+    record.data_begin = byte + header_size + 2 * length;
+    const BagFields fields(record.header);
+    const Operation operation = fields.operation();
+    if (operation < Operation::message || operation > Operation::connection) return std::nullopt;
+    // Recorders of 2010 wrote a wrong size. A time and an offset make an entry.
+    constexpr std::uint64_t index_entry = 12;
+    if (operation == Operation::index)
+        record.data_size = fields.number<std::uint32_t>("count") * index_entry;
     return record;
 }
 
-/// Puts the records of a chunk, or this one, where they are taken from.
-Expected<> Bag::keep(const FileRecord& record, std::string data) {
-    const BagFields fields(record.header);
-    if (fields.operation() != Operation::chunk) {
-        block_ = ByteWriter{}.text(record.header).text(data).bytes();
-    } else {
-        auto bytes = unpacked(fields.text("compression"), std::move(data));
-        if (!bytes) return tl::unexpected(bytes.error());
-        block_ = std::move(*bytes);
+/// They stand behind the chunks; the first record of the file says where.
+void Bag::read_chunk_infos() {
+    const auto first = read_head(bag_magic.size());
+    if (!first) return;
+    auto byte = BagFields(first->header).number<std::uint64_t>("index_pos");
+    while (byte > bag_magic.size() && byte < file_.size()) {
+        const auto record = read_head(byte);
+        if (!record) return;
+        const BagFields fields(record->header);
+        if (fields.operation() == Operation::chunk_info)
+            infos_[fields.number<std::uint64_t>("chunk_pos")] = {
+                .first = bag_time(fields, "start_time"), .last = bag_time(fields, "end_time")};
+        byte = record->end();
     }
-    records_ = ByteReader(block_);
-    return {};
 }
 
-bool Bag::lose_rest() {
-    warn(file_.name() + " ends within the record at byte " + std::to_string(record_begin_) +
-         ", which is lost: its recorder was stopped there");
-    next_byte_ = file_.size();
-    return false;
+void Bag::take_record(const FileRecord& record, std::uint64_t byte) {
+    const BagFields fields(record.header);
+    Block block{.byte = byte, .size = record.end() - byte};
+    if (fields.operation() == Operation::chunk) {
+        add_chunk(block);
+    } else if (fields.operation() == Operation::message) {
+        block.first = block.last = bag_time(fields, "time");
+        add_loose(block);
+    } else if (fields.operation() == Operation::connection && record.data_size <= largest_block) {
+        const auto data = file_.read(record.data_begin, record.data_size);
+        if (data) add_connection(fields, *data);
+        knows_connections_ = true;
+    }
+}
+
+/// By the index; the chunks of a bag that was not closed are unpacked to find their times.
+void Bag::set_times(Block& block) {
+    if (block.first != HostTime{}) return;
+    if (const auto info = infos_.find(block.byte); info != infos_.end()) {
+        block.first = info->second.first;
+        block.last = info->second.last;
+        return;
+    }
+    Unpacked unpacked;
+    unpack(block, unpacked);
+    if (unpacked.messages.empty()) return;
+    const auto [first, last] = std::ranges::minmax(unpacked.messages, {}, &Message::time);
+    block.first = first.time;
+    block.last = last.time;
+}
+
+void Bag::add_connection(const BagFields& fields, std::string_view data) {
+    const std::string topic = fields.text("topic");
+    const std::string type = BagFields(data).text("type");
+    if (!topics_.add(fields.number<std::uint32_t>("conn"), {topic, type, RosEncoding::ros1}))
+        leave_out(file_.name(), topic, type);
+}
+
+void Bag::unpack(const Block& block, Unpacked& unpacked) {
+    const std::string what = "the chunk of " + std::to_string(block.size) + " bytes ";
+    if (block.size > largest_block)
+        return lose(file_.refuse_byte(block.byte, what + "is larger than any of a bag"));
+    auto bytes = file_.read(block.byte, block.size);
+    if (!bytes) return lose(tl::unexpected(bytes.error()));
+    ByteReader head(*bytes);
+    const BagFields chunk(head.text());
+    if (chunk.operation() == Operation::chunk)
+        bytes = unpacked_data(chunk.text("compression"), head.text());
+    if (!bytes) return lose(file_.refuse_byte(block.byte, what + bytes.error().why));
+    unpacked.bytes = std::move(*bytes);
+    ByteReader records(unpacked.bytes);
+    while (!records.at_end()) {
+        const BagFields fields(records.text());
+        const std::string_view data = records.text();
+        if (records.too_short())
+            return lose(file_.refuse_byte(block.byte, what + "ends within a record"));
+        if (fields.operation() == Operation::connection) add_connection(fields, data);
+        const auto connection = fields.number<std::uint32_t>("conn");
+        if (fields.operation() != Operation::message || !topics_.has(connection)) continue;
+        const auto begin = static_cast<std::uint32_t>(data.data() - unpacked.bytes.data());
+        unpacked.messages.push_back(
+            {bag_time(fields, "time"), connection, begin, static_cast<std::uint32_t>(data.size())});
+    }
 }
 
 }  // namespace
@@ -200,8 +235,14 @@ bool Bag::lose_rest() {
 Expected<std::unique_ptr<Recording>> open_bag(InputFile file) {
     const auto beginning = file.read(0, bag_magic.size());
     if (!beginning) return tl::unexpected(beginning.error());
-    if (*beginning == bag_magic) return std::make_unique<Bag>(std::move(file));
-    return file.refuse("is a bag of another format than 2.0; rosbag migrate makes one of it");
+    if (*beginning != bag_magic) {
+        const std::string_view line = std::string_view(*beginning).substr(0, beginning->find('\n'));
+        return file.refuse("is a bag of ROS of the old format 1 (" + printable(line) +
+                           "); convert it to 2.0: rosbag migrate FILE NEW.bag");
+    }
+    auto bag = std::make_unique<Bag>(std::move(file));
+    if (const auto read = bag->read_layout(); !read) return tl::unexpected(read.error());
+    return bag;
 }
 
 }  // namespace scipd::sim

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/recording/ros/db3.h"
-
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "sim/recording/compression/compression.h"
+#include "sim/recording/ros/bags.h"
 #include "sim/recording/ros/database.h"
 #include "sim/recording/ros/laser_topics.h"
-#include "sim/recording/values/left_out.h"
 
 namespace scipd::sim {
 namespace {
@@ -23,6 +23,10 @@ class Db3 final : public Recording {
 
     /// Before the first message.
     Expected<> read_topics() {
+        for (const char* const table : {"topics", "messages"}) {
+            const auto checked = database_.check_table(table);
+            if (!checked) return file_.refuse("is no bag of rosbag2: " + checked.error().why);
+        }
         Rows topics = database_.ask("SELECT id, name, type, serialization_format FROM topics");
         for (;;) {
             const auto row = topics.next();
@@ -32,11 +36,20 @@ class Db3 final : public Recording {
             const std::string name(topics.bytes(1));
             const std::string type(topics.bytes(2));
             if (topics.bytes(3) != "cdr" || !topics_.add(id, {name, type, RosEncoding::cdr}))
-                left_out_.add(name, type);
+                leave_out(file_.name(), name, type);
         }
-        if (!left_out_.empty()) warn(file_.name() + ": " + left_out_.sentence());
-        messages_ = database_.ask("SELECT id, topic_id, timestamp, data FROM messages ORDER BY id");
+        // Where there is no index of the times, the library sorts the rows, but without the data.
+        messages_ = database_.ask(
+            "SELECT rowid, topic_id, timestamp FROM messages WHERE timestamp >= ? "
+            "ORDER BY timestamp, rowid");
+        messages_->bind(std::numeric_limits<std::int64_t>::min());
+        data_ = database_.ask("SELECT data FROM messages WHERE rowid = ?");
         return {};
+    }
+
+    void skip_ahead(std::chrono::nanoseconds since_first) override {
+        const auto log_ns = begin_ns_.value_or(0) + since_first.count();
+        if (begin_ns_ && log_ns > log_ns_) messages_->bind(log_ns);
     }
 
   private:
@@ -44,33 +57,39 @@ class Db3 final : public Recording {
         for (;;) {
             const auto row = messages_->next();
             if (!row)
-                return file_.refuse("cannot be read behind message " + std::to_string(message_) +
-                                    ": " + row.error().why);
-            if (!*row) return std::nullopt;
+                lose(file_.refuse("the rest, behind message " + std::to_string(message_) +
+                                  ", cannot be read: " + row.error().why));
+            if (!row || !*row) return std::nullopt;
             message_ = messages_->number(0);
+            // Of a sane clock, so that sums fit.
+            log_ns_ = std::clamp<std::int64_t>(messages_->number(2), 0, std::int64_t{1} << 62);
+            if (!begin_ns_) begin_ns_ = log_ns_;
             const auto topic = static_cast<std::uint32_t>(messages_->number(1));
             if (!topics_.has(topic)) continue;
             auto item = item_of(topic);
-            if (!item)
-                return file_.refuse("message " + std::to_string(message_) + ": " +
-                                    item.error().why);
-            return std::move(*item);
+            if (item) return std::move(*item);
+            lose(file_.refuse("message " + std::to_string(message_) + ": " + item.error().why));
         }
     }
 
     Expected<RecordedItem> item_of(std::uint32_t topic) {
-        const HostTime received{std::chrono::nanoseconds(messages_->number(2))};
-        const std::string_view data = messages_->bytes(3);
-        if (!data.starts_with(zstd_magic)) return topics_.item(topic, received, data);
+        data_->bind(message_);
+        const auto row = data_->next();
+        if (!row) return tl::unexpected(row.error());
+        const HostTime logged{std::chrono::nanoseconds(log_ns_)};
+        const std::string_view data = *row ? data_->bytes(0) : std::string_view{};
+        if (!data.starts_with(zstd_magic)) return topics_.item(topic, logged, data);
         return unpack_zstd(data).and_then(
-            [&](const std::string& bytes) { return topics_.item(topic, received, bytes); });
+            [&](const std::string& bytes) { return topics_.item(topic, logged, bytes); });
     }
 
     InputFile file_;
     Database database_;
     std::optional<Rows> messages_;
-    std::int64_t message_ = 0;  ///< the last one that was met
-    LeftOut left_out_;
+    std::optional<Rows> data_;
+    std::int64_t message_ = 0;              ///< the last one that was met
+    std::int64_t log_ns_ = 0;               ///< its log time
+    std::optional<std::int64_t> begin_ns_;  ///< log time of the first message
     LaserTopics topics_{{[this](RecordedStream one) { return add_stream(std::move(one)); },
                          [this](std::size_t index) -> RecordedStream& { return stream(index); }}};
 };

@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "sim/recording/ros/laser_topics.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -20,9 +22,9 @@ bool LaserTopics::add(std::uint32_t id, const RosTopic& topic) {
     return true;
 }
 
-Expected<RecordedItem> LaserTopics::item(std::uint32_t id, HostTime received,
+Expected<RecordedItem> LaserTopics::item(std::uint32_t id, HostTime logged,
                                          std::string_view bytes) {
-    const Topic& topic = topics_.at(id);
+    Topic& topic = topics_.at(id);
     auto message = parse_laser(bytes, topic.type, topic.encoding);
     if (!message) return refuse(quote(topic.name) + ": " + message.error().why);
     ScannerIdentity& identity = streams_.at(topic.stream).identity;
@@ -30,8 +32,14 @@ Expected<RecordedItem> LaserTopics::item(std::uint32_t id, HostTime received,
         identity.min_range_m = message->min_range_m;
         identity.max_range_m = message->max_range_m;
     }
-    if (!message->scan.host_time) message->scan.host_time = received;
-    return RecordedItem{topic.stream, std::move(message->scan)};
+    // Within these, sums and differences of two times fit.
+    constexpr HostTime latest{std::chrono::nanoseconds(std::int64_t{1} << 62)};
+    const HostTime sane = std::clamp(logged, HostTime{}, latest);
+    std::optional<HostTime>& time = message->scan.host_time;
+    const bool stamped = time.has_value();
+    if (stamped) topic.stamp_after_log = *time - sane;
+    if (!stamped) time = sane + topic.stamp_after_log;
+    return RecordedItem{topic.stream, std::move(message->scan), logged, stamped};
 }
 
 }  // namespace scipd::sim

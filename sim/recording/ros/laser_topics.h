@@ -5,6 +5,7 @@
 // thread.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -13,7 +14,6 @@
 #include <string_view>
 
 #include "sim/recording/ros/laser_message.h"
-#include "sim/recording/values/left_out.h"
 #include "sim/recording/values/recording.h"
 
 namespace scipd::sim {
@@ -38,8 +38,9 @@ class LaserTopics {
     bool add(std::uint32_t id, const RosTopic& topic);
     [[nodiscard]] bool has(std::uint32_t id) const { return topics_.contains(id); }
 
-    /// A message of a topic that has(); `received` counts where its header has no time.
-    [[nodiscard]] Expected<RecordedItem> item(std::uint32_t id, HostTime received,
+    /// A message of a topic that has(). Where the stamp of its header is 0, the log time counts, on
+    /// the clock of the topic's other stamps.
+    [[nodiscard]] Expected<RecordedItem> item(std::uint32_t id, HostTime logged,
                                               std::string_view bytes);
 
   private:
@@ -48,6 +49,7 @@ class LaserTopics {
         std::size_t stream;
         LaserType type;
         RosEncoding encoding;
+        std::chrono::nanoseconds stamp_after_log{};  ///< of the last message with a stamp
     };
 
     Streams streams_;

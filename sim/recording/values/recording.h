@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -32,7 +33,18 @@ struct RecordedStream {
 struct RecordedItem {
     std::size_t stream = 0;  ///< its index in Recording::streams()
     std::variant<RecordedScan, RecordedBytes> what;
+    /// Time at which it was logged, if the format has that beside the scan's own stamp.
+    std::optional<HostTime> logged = std::nullopt;
+    /// True: the scan's time is its own stamp; else it is `logged`, or the only one of the format.
+    bool stamped = false;
 };
+
+/// Time by which items are put in order; nullopt if they have none.
+[[nodiscard]] inline std::optional<HostTime> order_time(const RecordedItem& item) {
+    if (item.logged) return item.logged;
+    if (const auto* const scan = std::get_if<RecordedScan>(&item.what)) return scan->host_time;
+    return std::get<RecordedBytes>(item.what).host_time;
+}
 
 class Recording {
   public:
@@ -41,7 +53,8 @@ class Recording {
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
 
-    /// "mcap", "bag", "db3", "ubh", "csv", "jsonl", "rows", "carmen", "player", "npy" or "pcap".
+    /// "mcap", "bag", "db3", "ubh", "csv", "jsonl", "rows", "carmen", "player", "npy" or "pcap"; of
+    /// several files each of theirs, with commas between them.
     [[nodiscard]] const std::string& format() const { return format_; }
 
     /// Those that have been met so far; all of them once next() has returned nothing. The identity
@@ -51,15 +64,12 @@ class Recording {
     /// What was lost or left out so far, in sentences for the user.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
-    /// The next scan or bytes in the order of the file; nothing at the end. A fault names the file
-    /// and the byte or the line, and ends the recording. A file that was cut off ends where its
-    /// whole items end, with a warning.
-    [[nodiscard]] Expected<std::optional<RecordedItem>> next() {
-        if (ended_) return std::nullopt;
-        auto item = do_next();
-        ended_ = !item || !*item;
-        return item;
-    }
+    /// The next scan or bytes: in order of time, or in that of the file where the format is a text.
+    /// Returns nullopt at the end. A fault names the file and the byte or the line, and ends the
+    /// recording. Damaged parts of bags and MCAP files are passed over with a warning, unless
+    /// nothing else is there. A file that was cut off ends where its whole items end, with a
+    /// warning.
+    [[nodiscard]] Expected<std::optional<RecordedItem>> next();
 
     /// What comes earlier than so long after the file's first message is not wanted. A format that
     /// can pass over it unread does so, more or less; others bring it.
@@ -68,6 +78,9 @@ class Recording {
   protected:
     using Next = Expected<std::optional<RecordedItem>>;
 
+    void add_format(const std::string& format) {
+        if (format_.find(format) == format_.npos) format_ += (format_.empty() ? "" : ", ") + format;
+    }
     /// Returns its index.
     std::size_t add_stream(RecordedStream stream) {
         streams_.push_back(std::move(stream));
@@ -75,6 +88,11 @@ class Recording {
     }
     [[nodiscard]] RecordedStream& stream(std::size_t index) { return streams_[index]; }
     void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
+    /// Counts a damaged part that is passed over, with a warning.
+    void lose(const tl::unexpected<Fault>& why);
+    /// A topic, or the like, from which no scans are read: named in one warning at the end. `file`
+    /// begins that warning.
+    void leave_out(const std::string& file, const std::string& name, const std::string& type);
 
   private:
     [[nodiscard]] virtual Next do_next() = 0;
@@ -82,6 +100,11 @@ class Recording {
     std::string format_;
     std::vector<RecordedStream> streams_;
     std::vector<std::string> warnings_;
+    std::string file_;                ///< for the warning of what was left out
+    std::set<std::string> left_out_;  ///< "/tf (tf/tfMessage)"
+    std::optional<Fault> lost_;       ///< the first damage
+    std::size_t losses_ = 0;
+    bool given_ = false;  ///< at least one item
     bool ended_ = false;
 };
 

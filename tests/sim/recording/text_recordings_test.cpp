@@ -315,7 +315,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"Dear reader\n", "FILE: begins like no recording that is read: MCAP, a bag of ROS"},
         Wrong{"\x1F\x8B..", "FILE: is packed by gzip; unpack it: gunzip FILE"},
         Wrong{"PK\x03\x04..", "FILE: is a zip"},
-        Wrong{"#ROSBAG V1.2\n", "rosbag migrate makes one of it"},
+        Wrong{"#ROSBAG V1.2\n", "convert it to 2.0: rosbag migrate"},
         Wrong{"{\"distances_mm\":[1]}\nno\n{}\n", "FILE:2: must be a JSON object, one a line"},
         Wrong{"{\"distances_mm\":[1,\"x\"]}\n", "FILE:1: distances_mm must be a list of numbers"},
         Wrong{"{\"distances_mm\":[1],\"intensities\":[1,2]}\n",

@@ -5,6 +5,7 @@ import bz2
 import itertools
 import sqlite3
 import struct
+import zlib
 
 BEGIN_S = 1_700_000_000
 
@@ -68,19 +69,62 @@ def bag(chunks, pack="none"):
     return text
 
 
-def db3(path, topics, messages):
+def db3(path, topics, messages, index=True, wal=False):
     """A bag of rosbag2: topics (name, type), messages (index of the topic, time in ns, bytes)."""
     with sqlite3.connect(path) as database:
+        if wal:
+            database.execute("PRAGMA journal_mode=WAL")
         database.execute("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, "
                          "serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL)")
         database.execute("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, "
                          "timestamp INTEGER NOT NULL, data BLOB NOT NULL)")
-        database.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
+        if index:
+            database.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
         for number, (name, kind) in enumerate(topics, 1):
             database.execute("INSERT INTO topics VALUES(?, ?, ?, 'cdr', '')", (number, name, kind))
         for topic, time, data in messages:
             database.execute("INSERT INTO messages(topic_id, timestamp, data) VALUES(?, ?, ?)", (topic + 1, time, data))
     database.close()
+
+
+def metadata(parts):
+    """The metadata.yaml of rosbag2, as far as it names files."""
+    return "rosbag2_bagfile_information:\n  version: 5\n  relative_file_paths:\n" \
+        + "".join(f"    - {part}\n" for part in parts)
+
+
+def stored_zstd(data):
+    """A frame of Zstandard (RFC 8878) whose blocks are not packed."""
+    text = b"\x28\xb5\x2f\xfd\xa0" + struct.pack("<I", len(data))
+    for begin in range(0, len(data), 1 << 17):
+        piece = data[begin:begin + (1 << 17)]
+        last = begin + len(piece) == len(data)
+        text += struct.pack("<I", last | len(piece) << 3)[:3] + piece
+    return text
+
+
+def mcap_record(opcode, content):
+    return struct.pack("<BQ", opcode, len(content)) + content
+
+
+def mcap_text(text):
+    return struct.pack("<I", len(text)) + text.encode()
+
+
+def mcap(chunks):
+    """An MCAP file of ROS 2 without a summary: its chunks are lists of (time in ns, message of /scan). The first one
+    that is written describes the channel."""
+    text = b"\x89MCAP0\r\n" + mcap_record(1, mcap_text("ros2") + mcap_text("a test"))
+    about = mcap_record(3, struct.pack("<H", 1) + mcap_text("sensor_msgs/msg/LaserScan") + mcap_text("ros2msg") + bytes(4))
+    about += mcap_record(4, struct.pack("<HH", 7, 1) + mcap_text("/scan") + mcap_text("cdr") + bytes(4))
+    for chunk in chunks:
+        records = about + b"".join(mcap_record(5, struct.pack("<HIQQ", 7, 0, time, time) + message)
+                                   for time, message in chunk)
+        times = [time for time, _ in chunk]
+        text += mcap_record(6, struct.pack("<QQQI", min(times), max(times), len(records), zlib.crc32(records))
+                            + bytes(4) + struct.pack("<Q", len(records)) + records)
+        about = b""
+    return text + mcap_record(15, bytes(4)) + mcap_record(2, bytes(20)) + b"\x89MCAP0\r\n"
 
 
 def summed(line):

@@ -5,6 +5,8 @@
 import json
 import pathlib
 import random
+import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -30,8 +32,8 @@ class OfFiles(unittest.TestCase):
             (self.folder / name).write_bytes(data)
         return self.folder / name
 
-    def info(self, path):
-        done = subprocess.run([SCIPCAT, "info", "--json", str(path)], capture_output=True, text=True, check=False)
+    def info(self, *paths):
+        done = subprocess.run([SCIPCAT, "info", "--json", *map(str, paths)], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
@@ -69,7 +71,7 @@ class Bags(OfFiles):
         chunks = [[("/scan", SCAN, NS, foreign.ros1_scan(NS, [1, 2, 3]))]]
         whole = bytearray(foreign.bag(chunks, "bz2"))
         whole[-30] ^= 0xFF
-        self.assertRegex(self.refused(self.path("a.bag", whole)), r"a\.bag: byte \d+: the chunk is no sound bzip2")
+        self.assertRegex(self.refused(self.path("a.bag", whole)), r"a\.bag: byte \d+: the chunk of \d+ bytes is no sound bzip2")
 
     def test_bags_by_rosbag_itself(self):
         writer = pathlib.Path(__file__).with_name("rosbag_files.py")
@@ -83,6 +85,70 @@ class Bags(OfFiles):
             info = self.info(self.path(f"{pack}.bag"))
             self.assertEqual((info["scans"], info["steps"], info["warnings"]), (100, 301, []))
             self.assertAlmostEqual(info["seconds"], 99 * 0.005)
+        self.in_order(self.info(self.path("disordered.bag")), 100, 0.005)
+        self.in_order(self.info(*(self.path(f"split_{part}.bag") for part in (0, 2, 1))), 60, 0.005)
+        self.damaged_bags()
+
+    def damaged_bags(self):
+        """Of some scans in each chunk, and a record of an index behind it."""
+        whole = self.path("bz2.bag").read_bytes()
+        chunks = [found.start() for found in re.finditer(b"compression=bz2", whole)]
+        changed = bytearray(whole)
+        changed[chunks[2] + 200] ^= 0x7F
+        info = self.info(self.path("a.bag", changed))
+        (gap,) = info["gaps"]
+        self.assertAlmostEqual(gap["seconds"], 0.005 * (101 - info["scans"]))
+        self.assertIn(info["scans"], range(85, 98))
+        self.assertRegex(info["warnings"][0], r"a\.bag: byte \d+: the chunk of \d+ bytes is no sound bzip2; it is left out")
+
+        # Some recorders of 2010 wrote wrong sizes into their indexes.
+        changed = bytearray(whole)
+        for size in self.sizes_of_indexes(whole):
+            changed[size:size + 4] = struct.pack("<I", 4)
+        self.assertNotEqual(changed, whole)
+        info = self.info(self.path("b.bag", changed))
+        self.assertEqual((info["scans"], info["warnings"]), (100, []))
+
+    @staticmethod
+    def sizes_of_indexes(bag):
+        """Where the sizes of the records are that index a chunk."""
+        byte = len(b"#ROSBAG V2.0\n")
+        while byte < len(bag):
+            (header,) = struct.unpack_from("<I", bag, byte)
+            (data,) = struct.unpack_from("<I", bag, byte + 4 + header)
+            if b"op=\4" in bag[byte + 4:byte + 4 + header]:
+                yield byte + 4 + header
+            byte += 8 + header + data
+
+    def in_order(self, info, scans, period_s):
+        self.assertEqual((info["scans"], info["warnings"], info["gaps"]), (scans, [], []))
+        self.assertAlmostEqual(info["seconds"], (scans - 1) * period_s)
+
+    def test_bags_of_ros_1_out_of_order(self):
+        times = [NS + 10**8 * number for number in (4, 5, 7, 6, 0, 1, 3, 2, 9, 8)]
+        messages = [("/scan", SCAN, time, foreign.ros1_scan(time, [1, 2, 3])) for time in times]
+        # Without an index, and in one chunk and several.
+        for chunks in ([messages], [messages[:4], messages[4:6], messages[6:]], [[one] for one in messages]):
+            self.in_order(self.info(self.path("a.bag", foreign.bag(chunks))), 10, 0.1)
+
+    def test_the_old_format_of_bags(self):
+        told = self.refused(self.path("a.bag", b"#ROSRECORD V1.2\n" + bytes(100)))
+        self.assertRegex(told, r"a\.bag: is a bag of ROS of the old format 1 .*: rosbag migrate")
+
+    def test_mcap_out_of_order(self):
+        scans = [(NS + 10**8 * number, foreign.cdr_scan(NS + 10**8 * number, [1, 2])) for number in range(30)]
+        swapped = [scans[number ^ 1] for number in range(30)]
+        for chunks in ([scans[10:20], scans[:10], scans[20:]], [swapped[10:], swapped[:10]], [scans[::2], scans[1::2]]):
+            self.in_order(self.info(self.path("a.mcap", foreign.mcap(chunks))), 30, 0.1)
+
+    def test_mcap_with_a_damaged_chunk(self):
+        scans = [(NS + 10**8 * number, foreign.cdr_scan(NS + 10**8 * number, [1, 2])) for number in range(30)]
+        whole = bytearray(foreign.mcap([scans[:10], scans[10:20], scans[20:]]))
+        second = len(foreign.mcap([scans[:10]])) - (9 + 4 + 9 + 20 + 8)  # before DataEnd, Footer and magic
+        whole[second + 200] ^= 1
+        info = self.info(self.path("a.mcap", whole))
+        self.assertEqual((info["scans"], [gap["after_scan"] for gap in info["gaps"]]), (20, [10]))
+        self.assertRegex(info["warnings"][0], rf"byte {second}: the chunk of \d+ bytes is damaged: its checksum is wrong")
 
     def test_bags_of_ros_2(self):
         path = self.path("a.db3")
@@ -101,6 +167,102 @@ class Bags(OfFiles):
         path = self.path("a.db3")
         foreign.sqlite3.connect(path).execute("CREATE TABLE songs(name TEXT)").connection.close()
         self.assertIn("is no bag of rosbag2: no such table: topics", self.refused(path))
+
+    def laser_db3(self, name, times, **how):
+        path = self.path(name)
+        foreign.db3(path, [("/scan", "sensor_msgs/msg/LaserScan")],
+                    [(0, time, foreign.cdr_scan(time, [1, 2])) for time in times], **how)
+        return path
+
+    def test_rows_out_of_order(self):
+        times = [NS + 10**8 * number for number in (4, 5, 7, 6, 0, 1, 3, 2, 9, 8)]
+        for index in (True, False):
+            self.in_order(self.info(self.laser_db3(f"{index}.db3", times, index=index)), 10, 0.1)
+
+    def test_times_of_scans_without_a_stamp(self):
+        """The stamps are of a simulation's clock, and one is missing."""
+        path = self.path("a.db3")
+        foreign.db3(path, [("/scan", "sensor_msgs/msg/LaserScan")],
+                    [(0, NS + 10**8 * number, foreign.cdr_scan(0 if number == 5 else (50 + number) * 10**8, [1, 2]))
+                     for number in range(10)])
+        info = self.info(path)
+        self.in_order(info, 10, 0.1)
+        self.assertEqual(info["times"], {"stamped": 9, "logged": 1})
+
+    def test_what_goes_back_in_time_is_told(self):
+        path = self.path("a.jsonl", b"".join(b'{"host_time_s": %d, "distances_mm": [1]}\n' % time for time in (5, 6, 3, 4)))
+        info = self.info(path)
+        self.assertEqual((info["seconds"], info["times"]), (2, {"stamped": 0, "logged": 0}))
+        self.assertRegex(info["warnings"][0], "the times of its scans go back 1 times, first at scan 3")
+
+    def test_a_long_bag(self):
+        path = self.laser_db3("a.db3", [NS])
+        with foreign.sqlite3.connect(path) as database:
+            database.execute("INSERT INTO topics VALUES(2, '/odom', 'nav_msgs/msg/Odometry', 'cdr', '')")
+            database.executemany("INSERT INTO messages(topic_id, timestamp, data) VALUES(2, ?, 'x')",
+                                 ((NS + number,) for number in range(2_000_000)))
+            database.execute("INSERT INTO messages SELECT NULL, 1, ?, data FROM messages WHERE id = 1", (NS + 10**9,))
+        database.close()
+        self.assertEqual(self.info(path)["scans"], 2)
+
+    def test_a_view_in_place_of_the_messages(self):
+        path = self.laser_db3("a.db3", [])
+        with foreign.sqlite3.connect(path) as database:
+            database.executescript("DROP TABLE messages; CREATE VIEW messages AS WITH RECURSIVE rows(id) AS "
+                                   "(SELECT 1 UNION ALL SELECT id + 1 FROM rows) "
+                                   "SELECT id, 9 AS topic_id, 1 AS timestamp, '' AS data FROM rows")
+        database.close()
+        self.assertIn("is no bag of rosbag2: its messages are no plain table", self.refused(path))
+
+    def test_write_ahead_logs(self):
+        """What SQLite writes beside a file in WAL mode, if it may."""
+        times = [NS + 10**8 * number for number in range(10)]
+        path = self.laser_db3("a.db3", times, wal=True)
+        writer = foreign.sqlite3.connect(path)
+        writer.execute("INSERT INTO messages SELECT NULL, 1, timestamp + 1000000000, data FROM messages WHERE id = 1")
+        writer.commit()
+        killed = self.folder / "killed"
+        killed.mkdir()
+        for name in ("a.db3", "a.db3-wal"):
+            (killed / name).write_bytes((self.folder / name).read_bytes())
+        self.assertEqual(self.info(killed / "a.db3")["scans"], 11)
+        self.assertEqual(self.info(path)["scans"], 11)  # while it is written
+        writer.close()
+        self.assertEqual(self.info(path)["scans"], 11)
+        self.assertEqual([sorted(file.name for file in folder.glob("a*")) for folder in (self.folder, killed)],
+                         [["a.db3"], ["a.db3", "a.db3-wal"]])
+
+    def test_bags_in_a_folder(self):
+        parts = []
+        for part in range(12):
+            times = [NS + 10**8 * (5 * part + number) for number in range(5)]
+            parts.append(self.path(f"drive_{part}.mcap", foreign.mcap([[(time, foreign.cdr_scan(time, [1, 2]))
+                                                                         for time in times]])))
+        self.in_order(self.info(self.folder), 60, 0.1)
+        self.in_order(self.info(*reversed(parts)), 60, 0.1)
+        for part in parts[::2]:
+            self.path(part.name + ".zstd", foreign.stored_zstd(part.read_bytes()))
+            part.unlink()
+        self.path("metadata.yaml", foreign.metadata(f"drive/{part.name}" for part in parts).encode())
+        self.in_order(self.info(self.folder), 60, 0.1)
+        parts[3].unlink()
+        parts[5].write_bytes(b"")
+        info = self.info(self.folder)
+        self.assertEqual((info["scans"], [gap["after_scan"] for gap in info["gaps"]]), (50, [15, 20]))
+        self.assertRegex(info["warnings"][0], r"drive_3\.mcap: there is no such file, but metadata\.yaml names it")
+        self.assertRegex(info["warnings"][1], r"drive_5\.mcap: is empty")
+        self.assertIn("drive_3.mcap: there is no such file",
+                      self.refused(f"{self.folder / parts[1]}+{self.folder / parts[3]}"))
+
+    def test_whole_files_and_messages_that_are_packed(self):
+        path = self.path("a.db3")
+        foreign.db3(path, [("/scan", "sensor_msgs/msg/LaserScan")],
+                    [(0, NS + 10**8 * number, foreign.stored_zstd(foreign.cdr_scan(NS + 10**8 * number, [1, 2])))
+                     for number in range(10)])
+        self.in_order(self.info(path), 10, 0.1)
+        self.in_order(self.info(self.path("a.db3.zstd", foreign.stored_zstd(path.read_bytes()))), 10, 0.1)
+        self.assertIn("is zstd that was cut off",
+                      self.refused(self.path("b.db3.zstd", foreign.stored_zstd(path.read_bytes())[:-9])))
 
     def test_a_message_that_is_damaged(self):
         path = self.path("a.db3")

@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // The reader and writer of MCAP's makers, for tests: `mcap_core.js read FILE` prints what it finds as JSON, both by the
-// index and from the beginning; `mcap_core.js write FILE zstd|none|no-chunks` writes scans of ROS 2.
+// index and from the beginning; `mcap_core.js write FILE zstd|none|no-chunks [ORDER]` writes scans of ROS 2; a
+// scan's place in the file is its number, in which the bits of ORDER are changed.
 import {readFile, writeFile} from 'node:fs/promises';
 import zstd from '@foxglove/wasm-zstd';
 import {McapIndexedReader, McapStreamReader, McapWriter, TempBuffer} from '@mcap/core';
@@ -58,7 +59,7 @@ function laserScan(index) {
   return new Uint8Array(view.buffer, 0, 60 + 4 * ranges.length);
 }
 
-async function write(file, pack) {
+async function write(file, pack, order) {
   await zstd.isLoaded;
   const buffer = new TempBuffer();
   const compressChunk = pack === 'zstd'
@@ -71,7 +72,8 @@ async function write(file, pack) {
   };
   const odometry = await register('/odom', 'nav_msgs/msg/Odometry');
   const scan = await register('/scan', 'sensor_msgs/msg/LaserScan');
-  for (let i = 0; i < 20; ++i) {
+  for (let place = 0; place < 32; ++place) {
+    const i = place ^ order;
     const logTime = 1_700_000_001_000_000_000n + BigInt(i);
     const message = {sequence: i, logTime, publishTime: logTime};
     await writer.addMessage({...message, channelId: scan, data: laserScan(i)});
@@ -81,9 +83,9 @@ async function write(file, pack) {
   await writeFile(file, buffer.get());
 }
 
-const [command, file, pack] = process.argv.slice(2);
+const [command, file, pack, order] = process.argv.slice(2);
 if (command === 'write') {
-  await write(file, pack);
+  await write(file, pack, Number(order ?? 0));
 } else {
   const handlers = await loadDecompressHandlers();
   const bytes = await readFile(file);

@@ -5,6 +5,7 @@
 MCAP against the reader and writer of its makers, @mcap/core of npm: mcap_core_test.py SCIPD SCIPCAT SOURCES. Skipped
 (77) where they are not; `tools/install test` fetches them into build/npm.
 """
+import itertools
 import json
 import pathlib
 import shutil
@@ -92,14 +93,17 @@ class McapCore(unittest.TestCase):
         jsonschema.validate(scan, self.schema)
 
     def test_writes_what_scipcat_reads(self):
-        for pack in ("zstd", "none", "no-chunks"):
+        # In order, neighbours in each other's place, halves, and both.
+        for pack, order in itertools.product(("zstd", "none", "no-chunks"), (0, 1, 16, 31)):
             file = self.folder / "ros2.mcap"
-            run("node", self.script, "write", file, pack)
+            run("node", self.script, "write", file, pack, order)
             info = json.loads(run(SCIPCAT, "info", "--json", file))
-            self.assertEqual((info["format"], info["scans"], info["steps"]), ("mcap", 20, 3))
-            self.assertAlmostEqual(info["seconds"], 19 * 0.025)
+            self.assertEqual((info["format"], info["scans"], info["steps"]), ("mcap", 32, 3))
+            self.assertAlmostEqual(info["seconds"], 31 * 0.025)
+            self.assertEqual((info["gaps"], info["times"]), ([], {"stamped": 32, "logged": 0}))
             self.assertEqual([stream["name"] for stream in info["streams"]], ["/scan"])
-            self.assertRegex(info["warnings"][0], r"/odom \(nav_msgs/msg/Odometry\)$")
+            (warning,) = info["warnings"]
+            self.assertRegex(warning, r"/odom \(nav_msgs/msg/Odometry\)$")
 
 
 if not shutil.which("node") or not (PACKAGES / "node_modules/@mcap/core").is_dir():

@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
-"""Has ROS itself write bags, packed in each way: rosbag_files.py FOLDER. Ends with 77 where there is no rosbag."""
+"""
+Has ROS itself write bags: packed in each way, out of order, and split. rosbag_files.py FOLDER. Ends with 77 where there
+is no rosbag.
+"""
 import pathlib
 import sys
 
@@ -25,3 +28,14 @@ for pack in ("none", "bz2", "lz4"):
     with rosbag.Bag(str(path), "w", compression=pack, chunk_threshold=20_000) as bag:
         for number in range(100):
             bag.write("/front/scan", scan(number), rospy.Time(1_700_000_000, number))
+
+# As a program that merges bags writes them: the second half first, and neighbours in each other's place.
+with rosbag.Bag(str(pathlib.Path(sys.argv[1], "disordered.bag")), "w", chunk_threshold=20_000) as bag:
+    for place in range(100):
+        number = (place + 50) % 100 ^ 1
+        bag.write("/front/scan", scan(number), scan(number).header.stamp)
+
+for part in range(3):
+    with rosbag.Bag(str(pathlib.Path(sys.argv[1], f"split_{part}.bag")), "w") as bag:
+        for number in range(20 * part, 20 * part + 20):
+            bag.write("/front/scan", scan(number), scan(number).header.stamp)

@@ -176,7 +176,8 @@ TEST(ScipcatRecordingInfo, IsReadable) {
     EXPECT_THAT(outcome.out, StartsWith(file.string() + ": mcap\nscanner (foxglove.LaserScan)\n"));
     EXPECT_THAT(outcome.out, HasSubstr("  model       UST-10LX\n"));
     EXPECT_THAT(outcome.out, HasSubstr("  scans       4 of 1081 steps, 0.075 s, 40.00 a second"));
-    EXPECT_THAT(outcome.out, HasSubstr("  values      mm with the scanner's codes, intensities\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("  values      mm with the scanner's codes, intensities\n"
+                                       "  times       header stamps\n"));
 }
 
 TEST(ScipcatRecordingInfo, IsJsonForPrograms) {
@@ -244,7 +245,7 @@ TEST(ScipcatRecordingInfo, RefusesWhatIsNone) {
     EXPECT_THAT(outcome.err,
                 StartsWith("scipcat: " + file.string() + ": begins like no recording"));
     EXPECT_THAT(run_scipcat({"info", directory.path()}).err,
-                HasSubstr("is a folder; name a recording in it"));
+                HasSubstr("is a folder without a bag (.mcap, .db3, .bag); name a recording"));
 }
 
 TEST(ScipcatRecordingPlot, DrawsAScan) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Bags of ROS 1, format 2.0, read from their beginning without the index, so that one whose
-// recorder was killed (.bag.active) is read as well. Any thread; nothing shared.
+// Bags of ROS: format 2.0 of ROS 1, also of a recorder that was killed (.bag.active), and the
+// SQLite files of rosbag2, whose messages may be packed one by one by Zstandard. Any thread;
+// nothing shared.
 #pragma once
 
 #include <memory>
@@ -14,5 +15,6 @@ namespace scipd::sim {
 
 /// Refuses bags of format 1, with what to do.
 [[nodiscard]] Expected<std::unique_ptr<Recording>> open_bag(InputFile file);
+[[nodiscard]] Expected<std::unique_ptr<Recording>> open_db3(InputFile file);
 
 }  // namespace scipd::sim

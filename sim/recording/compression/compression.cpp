@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/recording/compression/compression.h"
+
+#include <limits>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include <bzlib.h>
+#include <lz4frame.h>
+#include <zstd.h>
+
+namespace scipd::sim {
+namespace {
+
+/// A level of Zstandard that packs as fast as a disk writes.
+constexpr int fast_level = 1;
+constexpr std::size_t piece_bytes = std::size_t{1} << 17;
+
+template <auto release>
+struct Release {
+    void operator()(auto* state) const { release(state); }
+};
+
+/// What a library has done in one step.
+struct Step {
+    std::size_t read = 0;
+    std::size_t made = 0;
+    bool whole = false;  ///< nothing is missing
+    std::string fault;
+};
+
+/// Calls `step(packed, room)` until all is unpacked, and appends what it makes to `bytes`.
+Expected<> unpack(std::string_view packed, std::size_t most, std::string& bytes, bool& whole,
+                  const auto& step) {
+    std::string piece(piece_bytes, '\0');
+    bool full = false;  // the library may hold more than fitted into the last piece
+    while (!packed.empty() || (full && !whole)) {
+        const Step done = step(packed, piece);
+        if (!done.fault.empty()) return refuse("is no sound " + done.fault);
+        packed.remove_prefix(done.read);
+        full = done.made == piece.size();
+        whole = done.whole;
+        bytes.append(piece, 0, done.made);
+        if (bytes.size() > most)
+            return refuse("makes more than " + std::to_string(most) + " bytes");
+        if (done.read == 0 && done.made == 0) break;
+    }
+    return {};
+}
+
+Expected<std::string> unpack_block(std::string_view packed, std::size_t most, const char* library,
+                                   const auto& step) {
+    std::string bytes;
+    bool whole = packed.empty();
+    const auto done = unpack(packed, most, bytes, whole, step);
+    if (!done) return tl::unexpected(done.error());
+    if (!whole) return refuse(std::string("is ") + library + " that was cut off");
+    return bytes;
+}
+
+/// Unpacks one frame of Zstandard after the other.
+auto zstd_step(ZSTD_DStream* stream) {
+    return [stream](std::string_view packed, std::string& piece) {
+        ZSTD_inBuffer in{packed.data(), packed.size(), 0};
+        ZSTD_outBuffer out{piece.data(), piece.size(), 0};
+        const std::size_t to_come = ZSTD_decompressStream(stream, &out, &in);
+        Step step{in.pos, out.pos, to_come == 0, {}};
+        if (ZSTD_isError(to_come) != 0)
+            step.fault = "zstd: " + std::string(ZSTD_getErrorName(to_come));
+        return step;
+    };
+}
+
+std::unique_ptr<ZSTD_DStream, Release<ZSTD_freeDStream>> zstd_stream() {
+    return std::unique_ptr<ZSTD_DStream, Release<ZSTD_freeDStream>>(ZSTD_createDStream());
+}
+
+}  // namespace
+
+Expected<std::string> unpack_zstd(std::string_view packed, std::size_t most) {
+    const auto stream = zstd_stream();
+    return unpack_block(packed, most, "zstd", zstd_step(stream.get()));
+}
+
+Expected<> unpack_zstd(const std::function<Expected<std::string>()>& read,
+                       const std::function<Expected<>(std::string_view)>& write) {
+    const auto stream = zstd_stream();
+    bool whole = true;
+    for (;;) {
+        const auto packed = read();
+        if (!packed) return tl::unexpected(packed.error());
+        if (packed->empty()) break;
+        std::string bytes;
+        const auto done =
+            unpack(*packed, largest_block, bytes, whole, zstd_step(stream.get())).and_then([&] {
+                return write(bytes);
+            });
+        if (!done) return done;
+    }
+    if (!whole) return refuse("is zstd that was cut off");
+    return {};
+}
+
+Expected<std::string> unpack_lz4(std::string_view packed, std::size_t most) {
+    LZ4F_dctx* created = nullptr;
+    if (LZ4F_isError(LZ4F_createDecompressionContext(&created, LZ4F_VERSION)) != 0)
+        throw std::bad_alloc();
+    const std::unique_ptr<LZ4F_dctx, Release<LZ4F_freeDecompressionContext>> context(created);
+    return unpack_block(packed, most, "lz4", [&](std::string_view rest, std::string& piece) {
+        Step step{rest.size(), piece.size(), false, {}};
+        const std::size_t to_come = LZ4F_decompress(context.get(), piece.data(), &step.made,
+                                                    rest.data(), &step.read, nullptr);
+        step.whole = to_come == 0;
+        if (LZ4F_isError(to_come) != 0)
+            step.fault = "lz4: " + std::string(LZ4F_getErrorName(to_come));
+        return step;
+    });
+}
+
+Expected<std::string> unpack_bzip2(std::string_view packed, std::size_t most) {
+    if (packed.size() > std::numeric_limits<unsigned>::max()) return refuse("is too large");
+    bz_stream stream{};
+    if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) throw std::bad_alloc();
+    const std::unique_ptr<bz_stream, Release<BZ2_bzDecompressEnd>> end(&stream);
+    return unpack_block(packed, most, "bzip2", [&](std::string_view rest, std::string& piece) {
+        // The library wants characters that could be written, but writes none.
+        stream.next_in = const_cast<char*>(rest.data());
+        stream.avail_in = static_cast<unsigned>(rest.size());
+        stream.next_out = piece.data();
+        stream.avail_out = static_cast<unsigned>(piece.size());
+        const int result = BZ2_bzDecompress(&stream);
+        Step step{rest.size() - stream.avail_in,
+                  piece.size() - stream.avail_out,
+                  result == BZ_STREAM_END,
+                  {}};
+        // What follows the end of the stream is of no block.
+        if (step.whole) step.read = rest.size();
+        if (result != BZ_OK && !step.whole) step.fault = "bzip2";
+        return step;
+    });
+}
+
+std::string pack_zstd(std::string_view bytes) {
+    std::string packed(ZSTD_compressBound(bytes.size()), '\0');
+    const std::size_t size =
+        ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), fast_level);
+    if (ZSTD_isError(size) != 0) throw std::runtime_error(ZSTD_getErrorName(size));
+    packed.resize(size);
+    return packed;
+}
+
+std::string pack_lz4(std::string_view bytes) {
+    std::string packed(LZ4F_compressFrameBound(bytes.size(), nullptr), '\0');
+    const std::size_t size =
+        LZ4F_compressFrame(packed.data(), packed.size(), bytes.data(), bytes.size(), nullptr);
+    if (LZ4F_isError(size) != 0) throw std::runtime_error(LZ4F_getErrorName(size));
+    packed.resize(size);
+    return packed;
+}
+
+}  // namespace scipd::sim
