@@ -190,7 +190,8 @@ void add_replay(Group& group, SensorConfig& sensor) {
                      sensor.replay->files.push_back(file);
                  });
              })
-        ->expected(1, CLI::detail::expected_max_vector_size);
+        ->expected(1, CLI::detail::expected_max_vector_size)
+        ->allow_extra_args();
     group
         .add("--loop", "true|on|false",
              "restart it at its end, with the recorded stamps (true) or with stamps that go on "
