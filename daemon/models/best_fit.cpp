@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
 
 #include "daemon/models/model_registry.h"
+#include "daemon/models/product_lines.h"
+#include "daemon/models/profile_check.h"
 
 namespace scipd::daemon {
 namespace {
@@ -94,6 +97,69 @@ std::string angle_text(const sim::Lidar& lidar) {
     return span(lidar.min_angle_rad * deg_per_rad, lidar.max_angle_rad * deg_per_rad, "deg");
 }
 
+/// Whether the product has beams in all directions of the lidar. Those are modulo a turn.
+bool has_directions(const sim::Lidar& has, const sim::Lidar& lidar) {
+    constexpr double turn_rad = 2.0 * std::numbers::pi;
+    const double slack_rad = 0.75 * std::max(step_rad(has), std::abs(step_rad(lidar)));
+    const double middle_rad =
+        std::remainder((lidar.min_angle_rad + lidar.max_angle_rad) / 2.0, turn_rad);
+    const double half_rad = std::abs(view_rad(lidar)) / 2.0;
+    return middle_rad - half_rad > has.min_angle_rad - slack_rad &&
+           middle_rad + half_rad < has.max_angle_rad + slack_rad;
+}
+
+/// Whether a step of the lidar is one or several of the product.
+bool has_steps(const sim::Lidar& has, const sim::Lidar& lidar) {
+    constexpr double same_ratio = 0.02;
+    const double ratio = std::abs(step_rad(lidar)) / step_rad(has);
+    return ratio > 1.0 - same_ratio && std::abs(ratio - std::round(ratio)) < same_ratio;
+}
+
+bool has_range(const sim::Lidar& has, const sim::Lidar& lidar) {
+    constexpr double rounded = 1.001;
+    return !std::isfinite(lidar.max_range_m) || lidar.max_range_m <= has.max_range_m * rounded;
+}
+
+/// A whole turn, unless the lidar's directions are those of steps in the order of SCIP.
+void put_steps(const sim::Lidar& lidar, protocol::DeviceProfile& profile) {
+    const double step = std::abs(step_rad(lidar));
+    profile.ares = static_cast<int>(std::lround(2.0 * std::numbers::pi / step));
+    profile.afrt = profile.ares / 2;
+    const double middle_rad =
+        std::remainder((lidar.min_angle_rad + lidar.max_angle_rad) / 2.0, 2.0 * std::numbers::pi);
+    const double from_front = middle_rad / step - (lidar.samples - 1) / 2.0;
+    profile.amin = profile.afrt + static_cast<int>(std::lround(from_front));
+    profile.amax = profile.amin + lidar.samples - 1;
+    if (profile.amin < 0 || profile.amax >= profile.ares) {
+        profile.amin = 0;
+        profile.amax = profile.ares - 1;
+    }
+    profile.first_step = profile.amin;
+    profile.last_step = profile.amax;
+}
+
+void put_range(const sim::Lidar& lidar, protocol::DeviceProfile& profile) {
+    constexpr double mm_per_m = 1000.0;
+    constexpr int nearest_mm = 20;  // below are codes of SCIP
+    constexpr double farthest_mm = (1U << 18U) - 1;
+    profile.dmin_mm = std::max(nearest_mm, static_cast<int>(lidar.min_range_m * mm_per_m));
+    profile.nearest_mm = profile.dmin_mm;
+    if (std::isfinite(lidar.max_range_m) && lidar.max_range_m > 0.0)
+        profile.dmax_mm =
+            static_cast<int>(std::lround(std::min(lidar.max_range_m * mm_per_m, farthest_mm)));
+    if (profile.is_distance(profile.codes.nothing)) profile.codes = utm_codes();
+}
+
+void put_rate(const sim::Lidar& lidar, protocol::DeviceProfile& profile) {
+    constexpr double slowest_hz = 0.1;
+    constexpr double fastest_hz = 1000.0;
+    if (!(lidar.rate_hz > 0.0)) return;
+    const double rate_hz = std::clamp(lidar.rate_hz, slowest_hz, fastest_hz);
+    profile.scan_rpm = static_cast<int>(std::lround(60.0 * rate_hz));
+    profile.scan_period =
+        std::chrono::round<protocol::Uptime>(std::chrono::duration<double>(1.0 / rate_hz));
+}
+
 }  // namespace
 
 double misfit(const Model& model, const sim::Lidar& lidar) {
@@ -110,6 +176,20 @@ double misfit(const Model& model, const sim::Lidar& lidar) {
 const Model& best_fit(const sim::Lidar& lidar) {
     return *std::ranges::min_element(models(), {},
                                      [&](const Model& model) { return misfit(model, lidar); });
+}
+
+Model recorded_model(const sim::Lidar& lidar) {
+    const Model& like = best_fit(lidar);
+    const sim::Lidar has = figures_of(like);
+    if (lidar.samples < 2 || !(std::abs(step_rad(lidar)) > 0.0)) return like;
+    if (has_directions(has, lidar) && has_steps(has, lidar) && has_range(has, lidar)) return like;
+    protocol::DeviceProfile profile = like.profile;
+    profile.name = "recorded";
+    profile.model = "recorded";
+    put_steps(lidar, profile);
+    put_range(lidar, profile);
+    put_rate(lidar, profile);
+    return faults_of(profile).empty() ? make_model(profile, like.optics, like.sureness) : like;
 }
 
 std::string differences(const Model& model, const sim::Lidar& lidar) {

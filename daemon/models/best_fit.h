@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Finds the product that comes closest to a lidar in a world. Any thread; nothing shared.
+// Finds the product that comes closest to a lidar in a world or in a recording. Any thread;
+// nothing shared.
 #pragma once
 
 #include <string>
@@ -21,6 +22,11 @@ double misfit(const Model& model, const sim::Lidar& lidar);
 
 /// The product with the least misfit; of several the one that comes first in `--list-models`.
 const Model& best_fit(const sim::Lidar& lidar);
+
+/// The model of a recorded lidar: the best fit if it has all of its directions, its range and its
+/// steps, or parts of them; else a scanner named `recorded` that speaks as the best fit does, and
+/// says in PP what the recording has. Its beams look to the nearest of its steps.
+Model recorded_model(const sim::Lidar& lidar);
 
 /// "0.02 to 30 m instead of 0.12 to 3.5 m, 1081 steps instead of 360"; empty if there are none.
 std::string differences(const Model& model, const sim::Lidar& lidar);

@@ -28,8 +28,8 @@ void take_identity(const sim::ScannerIdentity& identity, Model& model) {
 
 }  // namespace
 
-Tapes load_tapes(Config& config, const std::stop_token& stop) {
-    Tapes tapes;
+LoadedTapes load_tapes(Config& config, const std::stop_token& stop) {
+    LoadedTapes loaded;
     std::vector<std::string> faults;
     for (RobotConfig& robot : config.robots) {
         for (SensorConfig& sensor : robot.sensors) {
@@ -43,15 +43,16 @@ Tapes load_tapes(Config& config, const std::stop_token& stop) {
                     take_identity(scanner.identity, scanner.model);
                     sensor.model = std::move(scanner.model);
                 }
-                tapes[name] = read_tape(*sensor.replay, sensor.model, stop);
+                loaded.tapes[name] = read_tape(*sensor.replay, sensor.model, loaded.warnings, stop);
             } catch (const sim::LoadError& error) {
                 std::ranges::transform(error.faults(), std::back_inserter(faults),
                                        [&](const std::string& why) { return name + ": " + why; });
             }
         }
     }
+    if (config.strict) std::ranges::copy(loaded.warnings, std::back_inserter(faults));
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
-    return tapes;
+    return loaded;
 }
 
 }  // namespace scipd::daemon

@@ -7,6 +7,7 @@
 #include <map>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "daemon/config/config.h"
 #include "daemon/replay/tape.h"
@@ -16,8 +17,14 @@ namespace scipd::daemon {
 /// By the full names of sensors.
 using Tapes = std::map<std::string, SharedTape>;
 
-/// Reads them, and makes of each sensor whose model nobody has named the one that its recording is
-/// of, with what it said of itself. Throws sim::LoadError with all faults.
-[[nodiscard]] Tapes load_tapes(Config& config, const std::stop_token& stop);
+struct LoadedTapes {
+    Tapes tapes;
+    std::vector<std::string> warnings;
+};
+
+/// Reads them, and makes each sensor whose model is not named the one that its recording is of,
+/// with what it said of itself. Throws sim::LoadError with all faults; where the configuration is
+/// strict, warnings are faults.
+[[nodiscard]] LoadedTapes load_tapes(Config& config, const std::stop_token& stop);
 
 }  // namespace scipd::daemon

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "daemon/device/bridge.h"
 #include "daemon/models/best_fit.h"
@@ -63,6 +66,10 @@ class ScanReader {
     /// Which scanner the stream that was read came from.
     [[nodiscard]] const sim::ScannerIdentity& identity() const {
         return recording_->streams()[stream_.value()].identity;
+    }
+
+    [[nodiscard]] const std::vector<std::string>& warnings() const {
+        return recording_->warnings();
     }
 
     [[nodiscard]] std::string names() const {
@@ -139,14 +146,40 @@ std::uint32_t stamp_of(const RecordedScan& scan, sim::Time begin) {
     return static_cast<std::uint32_t>(since.count()) & stamp_mask;
 }
 
-std::uint32_t distance_of(double range, sim::RangeUnit unit,
+bool has_code(const protocol::DeviceProfile& profile, std::uint32_t code) {
+    const protocol::DistanceCodes& codes = profile.codes;
+    for (const auto& own :
+         {std::optional(codes.nothing), std::optional(codes.too_near), std::optional(codes.too_far),
+          std::optional(codes.not_measured), codes.too_dark, codes.too_bright, codes.edge,
+          codes.interference, codes.lost}) {
+        if (own == code) return true;
+    }
+    return std::ranges::any_of(profile.rare_codes,
+                               [&](const auto& rare) { return rare.code == code; });
+}
+
+std::uint32_t distance_of(double range, const RecordedScan& scan,
+                          const sim::ScannerIdentity& identity,
                           const protocol::DeviceProfile& profile) {
-    if (unit == sim::RangeUnit::millimetres) {
+    if (scan.unit == sim::RangeUnit::millimetres) {
         const bool fits = range >= 0.0 && range < double{1U << 18U};
         return fits ? static_cast<std::uint32_t>(std::lround(range)) : profile.codes.nothing;
     }
-    if (!(range > 0.0)) return profile.codes.nothing;  // drivers write 0 or NaN for no distance
-    return distance_on_wire(static_cast<float>(range), profile);
+    const sim::RecordedReading reading = sim::reading_of(range, scan.unit, identity);
+    switch (reading.kind) {
+        case sim::RecordedReading::Kind::distance:
+            return distance_on_wire(static_cast<float>(reading.range_m), profile);
+        case sim::RecordedReading::Kind::too_near:
+            return profile.codes.too_near;
+        case sim::RecordedReading::Kind::too_far:
+            return profile.codes.too_far;
+        case sim::RecordedReading::Kind::code:
+            if (has_code(profile, reading.code)) return reading.code;
+            break;
+        case sim::RecordedReading::Kind::nothing:
+            break;
+    }
+    return profile.codes.nothing;
 }
 
 std::uint32_t intensity_of(double intensity) {
@@ -156,6 +189,7 @@ std::uint32_t intensity_of(double intensity) {
 }
 
 protocol::StepEchoes echoes_of(const RecordedScan& scan, std::size_t value,
+                               const sim::ScannerIdentity& identity,
                                const protocol::DeviceProfile& profile) {
     const auto ranges = scan.ranges_of(value);
     const auto intensities = scan.intensities_of(value);
@@ -163,7 +197,7 @@ protocol::StepEchoes echoes_of(const RecordedScan& scan, std::size_t value,
     step.echo[0].distance = profile.codes.nothing;
     step.count = std::clamp(static_cast<int>(ranges.size()), 1, protocol::max_echoes);
     for (std::size_t i = 0; i < ranges.size() && i < protocol::max_echoes; ++i) {
-        step.echo[i] = {distance_of(ranges[i], scan.unit, profile),
+        step.echo[i] = {distance_of(ranges[i], scan, identity, profile),
                         intensities.empty() ? 0 : intensity_of(intensities[i])};
     }
     return step;
@@ -171,16 +205,16 @@ protocol::StepEchoes echoes_of(const RecordedScan& scan, std::size_t value,
 
 using Places = std::vector<std::optional<std::size_t>>;
 
-TapedScan taped(const RecordedScan& scan, const Places& places, bool with_echoes,
-                const protocol::DeviceProfile& profile) {
+TapedScan taped(const RecordedScan& scan, const Places& places,
+                const sim::ScannerIdentity& identity, const protocol::DeviceProfile& profile) {
     TapedScan taped;
     for (const std::optional<std::size_t>& place : places) {
         protocol::StepEchoes step;
         step.echo[0].distance = profile.codes.nothing;
-        if (place) step = echoes_of(scan, *place, profile);
+        if (place) step = echoes_of(scan, *place, identity, profile);
         taped.distance.push_back(step.echo[0].distance);
         taped.intensity.push_back(step.echo[0].intensity);
-        if (with_echoes) taped.echoes.push_back(step);
+        if (profile.multi_echo) taped.echoes.push_back(step);
     }
     return taped;
 }
@@ -195,6 +229,59 @@ Places places_of(const RecordedScan& scan, const Model& model, const ReplayConfi
     }
     return places;
 }
+
+/// How much of a recording the model has no step or no range for.
+class Loss {
+  public:
+    Loss(const ReplayConfig& replay, const Model& model) : replay_(replay), model_(model) {}
+
+    /// Values beside a step that is shown, as those of finer recordings, are not lost.
+    void see(const RecordedScan& scan, const Places& places) {
+        if (!scan.directions.increment_rad) return;
+        const double step_rad = model_.optics.beam_rad();
+        const double value_rad = std::abs(*scan.directions.increment_rad);
+        const auto shown =
+            std::ranges::count_if(places, [](const auto& place) { return place.has_value(); });
+        const double seen_rad = static_cast<double>(shown) * step_rad;
+        const double has_rad =
+            std::min(static_cast<double>(scan.steps()) * value_rad, 2.0 * std::numbers::pi);
+        lost_rad_ = std::max(lost_rad_, has_rad - seen_rad - 2.0 * std::max(step_rad, value_rad));
+    }
+    void see_ranges(const RecordedScan& scan, const sim::ScannerIdentity& identity) {
+        if (scan.unit != sim::RangeUnit::metres) return;
+        for (const double range : scan.ranges) {
+            const sim::RecordedReading reading = sim::reading_of(range, scan.unit, identity);
+            if (reading.kind == sim::RecordedReading::Kind::distance)
+                farthest_m_ = std::max(farthest_m_, reading.range_m);
+        }
+    }
+
+    void report(std::vector<std::string>& warnings) const {
+        constexpr double deg_per_rad = 180.0 / std::numbers::pi;
+        const std::string begin = replay_.name() + ": " + model_.profile.name;
+        if (lost_rad_ > 0.0)
+            warnings.push_back(begin + " has no steps for " + rounded(lost_rad_ * deg_per_rad) +
+                               " degrees of the scans, which are left out" + way_out);
+        if (farthest_m_ > model_.optics.max_range_m + 0.001)
+            warnings.push_back(begin + " reports up to " + rounded(model_.optics.max_range_m) +
+                               " m, and the scans have distances up to " + rounded(farthest_m_) +
+                               " m, which become its code for too far" + way_out);
+    }
+
+  private:
+    static constexpr const char* way_out =
+        "; leave the model out, and the scanner has what the recording has";
+    static std::string rounded(double value) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.4g", value);
+        return text;
+    }
+
+    const ReplayConfig& replay_;
+    const Model& model_;
+    double lost_rad_ = 0.0;
+    double farthest_m_ = 0.0;
+};
 
 /// "UTM-30LX" in "SOKUIKI Sensor TOP-URG UTM-30LX(Hokuyo ..)": the longest name that is in it.
 std::optional<Model> named_in(const std::string& text) {
@@ -212,10 +299,11 @@ std::optional<Model> named_in(const std::string& text) {
 sim::Lidar lidar_of(const RecordedScan& scan, const sim::ScannerIdentity& identity,
                     double rate_hz) {
     const double first_rad = *scan.directions.first_rad;
-    const double increment_rad = *scan.directions.increment_rad;
+    const double last_rad =
+        first_rad + *scan.directions.increment_rad * (static_cast<double>(scan.steps()) - 1.0);
     return {.samples = static_cast<int>(scan.steps()),
-            .min_angle_rad = first_rad,
-            .max_angle_rad = first_rad + increment_rad * (static_cast<double>(scan.steps()) - 1.0),
+            .min_angle_rad = std::min(first_rad, last_rad),
+            .max_angle_rad = std::max(first_rad, last_rad),
             .min_range_m = identity.min_range_m.value_or(0.0),
             .max_range_m = identity.max_range_m.value_or(0.0),
             .rate_hz = rate_hz};
@@ -247,11 +335,13 @@ RecordedScanner recorded_scanner(const ReplayConfig& replay) {
              "does not name the scanner's model; name it (--model, or `model` in a "
              "configuration), one of `scipd --list-models`");
     }
-    return {identity, best_fit(lidar_of(scan, identity, rate_hz))};
+    return {identity, recorded_model(lidar_of(scan, identity, rate_hz))};
 }
 
-SharedTape read_tape(const ReplayConfig& replay, const Model& model, const std::stop_token& stop) {
+SharedTape read_tape(const ReplayConfig& replay, const Model& model,
+                     std::vector<std::string>& warnings, const std::stop_token& stop) {
     ScanReader reader(replay);
+    Loss loss(replay, model);
     const bool with_echoes = model.profile.multi_echo;
     const auto period = std::chrono::duration_cast<sim::Time>(model.optics.scan_period);
     const auto tape =
@@ -271,11 +361,13 @@ SharedTape read_tape(const ReplayConfig& replay, const Model& model, const std::
         if (begin < unread) continue;
         if (const std::pair is{scan->directions, scan->steps()}; mapped != is) {
             places = places_of(*scan, model, replay);
+            loss.see(*scan, places);
             mapped = is;
         }
         try {
-            tape->add(taped(*scan, places, with_echoes, model.profile), stamp_of(*scan, begin),
-                      begin);
+            loss.see_ranges(*scan, reader.identity());
+            tape->add(taped(*scan, places, reader.identity(), model.profile),
+                      stamp_of(*scan, begin), begin);
         } catch (const std::runtime_error& error) {
             fail(replay, error.what());
         }
@@ -283,6 +375,9 @@ SharedTape read_tape(const ReplayConfig& replay, const Model& model, const std::
     if (tape->size() == 0 && before) fail(replay, "has no scan from from_s on");
     if (tape->size() == 0) fail(replay, "holds no scan");
     tape->end(period);
+    for (const std::string& warning : reader.warnings())
+        warnings.push_back(replay.name() + ": " + warning);
+    loss.report(warnings);
     if (replay.begins && std::holds_alternative<AsRecorded>(*replay.begins) && !tape->recorded())
         fail(replay, "has no date: give begins_s as a stamp in seconds");
     return tape;

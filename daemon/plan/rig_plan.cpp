@@ -113,7 +113,7 @@ RigPlan make_plan(Config config, const Running& running, const std::stop_token& 
     const bool goes_on = running.world.has_value();
     std::optional<Scenario> scenario = goes_on ? std::nullopt : load_scenario(config);
     LoadedTrajectories trajectories = load_trajectories(config, running.played, stop);
-    Tapes tapes = load_tapes(config, stop);
+    LoadedTapes tapes = load_tapes(config, stop);
     LoadedMaterials materials =
         goes_on ? LoadedMaterials{running.world->materials, {}} : load_materials(config);
     sim::LoadedScene loaded = goes_on ? sim::LoadedScene{running.world->scene, {}}
@@ -121,6 +121,7 @@ RigPlan make_plan(Config config, const Running& running, const std::stop_token& 
     Shared shared;
     if (join) shared = share(config, materials.library, stop, join(*loaded.scene), loaded);
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
+    std::ranges::move(tapes.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices =
         mount_by_name(config, *loaded.scene, goes_on ? running.sensors : KnownSensors{});
     std::ranges::move(warnings_of(config, *loaded.scene), std::back_inserter(loaded.warnings));
@@ -158,7 +159,7 @@ RigPlan make_plan(Config config, const Running& running, const std::stop_token& 
             .materials = std::move(materials.library),
             .scenario = std::move(scenario),
             .trajectories = std::move(trajectories),
-            .tapes = std::move(tapes),
+            .tapes = std::move(tapes.tapes),
             .added = std::move(shared.added),
             .unlike_the_others = std::move(shared.failed),
             .scripts_age = shared.age};

@@ -2,7 +2,9 @@
 // Copyright The scipd authors
 #include "daemon/plan/step_map.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace scipd::daemon {
 namespace {
@@ -26,13 +28,22 @@ Places by_steps(const sim::RecordedScan& scan, int first, const sim::SensorSpec&
     return places;
 }
 
+/// Angles are modulo a turn: recordings begin anywhere, and go either way. Where a round scan has
+/// its first direction a second time at its end, the first one counts.
 Places by_angles(const sim::RecordedScan& scan, const sim::SensorSpec& optics) {
     const double first_rad = *scan.directions.first_rad;
     const double increment_rad = *scan.directions.increment_rad;
+    const double values_of_turn = 2.0 * std::numbers::pi / std::abs(increment_rad);
+    // Angles of 32 bits may leave a gap of less than a value where a round scan closes.
+    const auto last = static_cast<double>(scan.steps()) - 1.0;
+    const double most = last + 1.5 > values_of_turn ? last : values_of_turn;
     Places places;
-    for (int step = optics.first_step; step <= optics.last_step; ++step)
-        places.push_back(
-            within((optics.angle_rad(step) - first_rad) / increment_rad, scan.steps()));
+    for (int step = optics.first_step; step <= optics.last_step; ++step) {
+        const double place = (optics.angle_rad(step) - first_rad) / increment_rad;
+        const double within_turn =
+            place - std::floor((place + 0.5) / values_of_turn) * values_of_turn;
+        places.push_back(within(std::min(within_turn, most), scan.steps()));
+    }
     return places;
 }
 

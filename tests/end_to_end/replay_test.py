@@ -6,6 +6,7 @@
 # replay_test.py SCIPD SCIPCAT SCIPCTL SCENES
 import contextlib
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -14,6 +15,9 @@ import tempfile
 import time
 
 from fault_lab import PATIENCE_S, Control, wait_for
+
+sys.path.append(str(pathlib.Path(__file__).parents[1] / "tools/recording"))
+import foreign_files as foreign  # noqa: E402
 
 SCANS = 25
 MODELS = ["URG-04LX", "UTM-30LX", "UST-10LX", "UTM-30LX-EW", "UHG-08LX"]
@@ -129,6 +133,76 @@ def begins_where_it_is_told(programs, folder):
         assert told["at_s"] == from_s and told["duration_s"] > 59 and told["scans"] == (32 if from_s else 60), told
 
 
+def bag_of(folder, ranges, fan_rad, limits_m=(0.02, 60)):
+    """A bag of ten scans at 10 Hz."""
+    stamps = [foreign.BEGIN_S * 10**9 + i * 100_000_000 for i in range(10)]
+    (folder / "fan.bag").write_bytes(foreign.bag([[
+        ("/scan", "sensor_msgs/LaserScan", stamp, foreign.ros1_scan(stamp, ranges, (), fan_rad, limits_m))]
+        for stamp in stamps]))
+    return folder / "fan.bag"
+
+
+def played(programs, folder, recording, *options):
+    """What a driver gets of it: the ready line's sensor, PP, and a scan by angle, in mm; and the log."""
+    scipd, scipcat, *_ = programs
+    with Scipd(scipd, folder, "--replay", str(recording), "--loop", "true", *options) as player:
+        done = subprocess.run([scipcat, "record", player.tcp, "-o", str(folder / "c.jsonl"), "-n", "1"],
+                              capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+        assert done.returncode == 0, done.stderr
+        about = json.loads(subprocess.run([scipcat, "info", player.tcp, "--json"], capture_output=True, text=True,
+                                          timeout=PATIENCE_S, check=True).stdout)
+    scan = json.loads((folder / "c.jsonl").read_text().splitlines()[0])
+    first, step = scan["first_angle_rad"], scan["angle_increment_rad"]
+    by_angle = [(first + i * step, value) for i, value in enumerate(scan["distances_mm"])]
+    return about, by_angle, (folder / "stderr").read_text()
+
+
+def has_codes_again(programs, folder):
+    """Drivers publish the code c as c / 1000 m; hokuyo_node -inf for too near, +inf for too far (REP 117)."""
+    step = 2 * math.pi / 1440
+    codes = {"UTM-30LX": ([0.001, 0.002, 0.003, 0.005, -math.inf, math.inf, math.nan, 0.0],
+                          [1, 2, 3, 5, 2, 1, 1, 1]),
+             "URG-04LX": ([0.001, 0.002, 0.006, 0.007, 0.008, 0.010, 0.015, 0.019, math.nan],
+                          [1, 2, 6, 7, 8, 10, 15, 19, 0]),
+             "UST-10LX": ([65.533, 0.004, 0.001, math.nan], [65533, 4, 65533, 65533])}
+    for model, (published, sent) in codes.items():
+        step = 2 * math.pi / (1024 if model.startswith("URG") else 1440)
+        _, by_angle, _ = played(programs, folder, bag_of(folder, [1.0] * 10 + published + [1.0] * 10, (0, step)),
+                                "--model", model)
+        front = next(i for i, (angle, _) in enumerate(by_angle) if abs(angle) < step / 4)
+        got = [value for _, value in by_angle[front:front + 20 + len(sent)]]
+        assert got == [1000] * 10 + sent + [1000] * 10, f"{model}: {got}"
+
+
+def has_any_fan(programs, folder):
+    """A wall at 1 m to the left and at 1.5 m to the right, in scans that begin anywhere and go either way."""
+    count = 720
+    step = 2 * math.pi / count
+    for first, increment, ends_twice in ((-math.pi, step, 0), (0, step, 0), (0, step, 1), (math.pi / 2, step, 0),
+                                         (0, -step, 0), (math.pi, -step, 1)):
+        angles = [first + i * increment for i in range(count + ends_twice)]
+        recording = bag_of(folder, [1.0 if math.sin(angle) > 0 else 1.5 for angle in angles], (first, increment),
+                           (0.1, 12))
+        about, by_angle, log = played(programs, folder, recording)
+        assert len(by_angle) == count and "warning" not in log, (first, increment, len(by_angle), log)
+        assert "recorded" in about["model"], about
+        wrong = [(angle, value) for angle, value in by_angle
+                 if abs(math.sin(angle)) > 0.02 and value != (1000 if math.sin(angle) > 0 else 1500)]
+        assert not wrong, (first, increment, wrong[:5])
+        _, by_angle, log = played(programs, folder, recording, "--model", "UTM-30LX")
+        assert "has no steps for" in log and "degrees" in log, log
+        assert all(value == (1000 if angle > 0 else 1500) for angle, value in by_angle
+                   if abs(math.sin(angle)) > 0.02), (first, increment)
+    done = subprocess.run([programs[0], "--replay", str(recording), "--model", "UTM-30LX", "--strict"],
+                          capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+    assert done.returncode == 2 and "has no steps for" in done.stderr, done
+    far = bag_of(folder, [150.0] * 361, (-math.pi / 2, math.pi / 360), (0.1, 200))
+    about, by_angle, _ = played(programs, folder, far)
+    assert (about["dmax_mm"], len(by_angle)) == (200000, 361) and {value for _, value in by_angle} == {150000}, about
+    _, _, log = played(programs, folder, far, "--model", "UTM-30LX")
+    assert "distances up to 150 m" in log, log
+
+
 def refuses_what_is_none(programs, folder):
     scipd = programs[0]
     for name, text, advice in [("a.txt", "hello\n", "a.txt"), ("empty.jsonl", "", "empty.jsonl")]:
@@ -147,6 +221,8 @@ def main(*programs):
     with tempfile.TemporaryDirectory() as folder:
         refuses_what_is_none(programs, pathlib.Path(folder))
         begins_where_it_is_told(programs, pathlib.Path(folder))
+        has_codes_again(programs, pathlib.Path(folder))
+        has_any_fan(programs, pathlib.Path(folder))
     print("recorded scans come again")
 
 

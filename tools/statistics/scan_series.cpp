@@ -9,9 +9,14 @@ namespace scipd::tools {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
-// SCIP 2.0 has error codes below 20; the USTs say 65533 and more for "nothing".
-constexpr double least_mm = 20;
-constexpr double first_high_code_mm = 65533;
+
+Code code_of(const sim::RecordedReading& reading) {
+    constexpr std::uint32_t first_high_code = 65533;
+    if (reading.kind == sim::RecordedReading::Kind::distance) return codes::distance;
+    const bool is_nothing = reading.kind != sim::RecordedReading::Kind::code || reading.code <= 1 ||
+                            reading.code >= first_high_code;
+    return is_nothing ? codes::nothing : static_cast<Code>(reading.code);
+}
 
 /// The stamp after one that is known, where 24 bits have wrapped in between.
 double unwrapped_s(double before_s, std::uint32_t stamp_ms) {
@@ -23,34 +28,8 @@ double unwrapped_s(double before_s, std::uint32_t stamp_ms) {
 }  // namespace
 
 std::string name_of_code(Code code) {
-    switch (code) {
-        case codes::no_echo:
-            return "no echo";
-        case codes::nan:
-            return "nan";
-        case codes::infinite:
-            return "inf";
-        case codes::minus_infinite:
-            return "-inf";
-        case codes::too_far:
-            return "too far";
-        case codes::distance:
-            return "a distance";
-        default:
-            return std::to_string(code);
-    }
-}
-
-Code ScanSeries::code_of(double range_mm) const {
-    if (std::isnan(range_mm)) return codes::nan;
-    if (std::isinf(range_mm)) return range_mm > 0 ? codes::infinite : codes::minus_infinite;
-    const double from_mm = identity_.min_range_m ? *identity_.min_range_m * 1e3 : least_mm;
-    const double to_mm =
-        identity_.max_range_m ? *identity_.max_range_m * 1e3 : first_high_code_mm - 1;
-    if (range_mm >= from_mm && range_mm <= to_mm) return codes::distance;
-    // Codes in metres of 32 bits are a little off.
-    if (range_mm > to_mm && range_mm < first_high_code_mm - 0.5) return codes::too_far;
-    return static_cast<Code>(std::lround(std::clamp(range_mm, 0.0, 2e9)));
+    if (code == codes::nothing) return "no distance";
+    return code == codes::distance ? "a distance" : std::to_string(code);
 }
 
 bool ScanSeries::is_double(const sim::RecordedScan& scan) const {
@@ -82,15 +61,17 @@ void ScanSeries::add(const sim::RecordedScan& scan) {
 }
 
 void ScanSeries::add_readings(const sim::RecordedScan& scan) {
-    const double mm = scan.unit == sim::RangeUnit::metres ? 1e3 : 1;
     const bool bright = !scan.intensities.empty() && (times_.empty() || has_intensities());
     if (!bright) intensities_.clear();
     for (std::size_t beam = 0; beam < beams_; ++beam) {
         const auto ranges = scan.ranges_of(beam);
-        const Code code = ranges.empty() ? codes::no_echo : code_of(ranges.front() * mm);
+        const sim::RecordedReading reading =
+            ranges.empty() ? sim::RecordedReading{}
+                           : sim::reading_of(ranges.front(), scan.unit, identity_);
+        const Code code = code_of(reading);
         const bool far = code == codes::distance;
         codes_.push_back(code);
-        ranges_mm_.push_back(far ? static_cast<float>(ranges.front() * mm) : none);
+        ranges_mm_.push_back(far ? static_cast<float>(reading.range_m * 1e3) : none);
         if (bright)
             intensities_.push_back(far ? static_cast<float>(scan.intensities_of(beam).front())
                                        : none);

@@ -19,19 +19,17 @@
 
 namespace scipd::tools {
 
-/// Why a reading is no distance: the value in millimetres, or one of those below.
+/// Why a reading is no distance: a code of SCIP, or one of these.
 using Code = std::int32_t;
 namespace codes {
-inline constexpr Code no_echo = -1;
-inline constexpr Code nan = -2;
-inline constexpr Code infinite = -3;
-inline constexpr Code minus_infinite = -4;
-inline constexpr Code too_far = -5;  ///< beyond what the scanner calls its range
+/// However the file writes it: no echo, NaN, infinity, 0, 1 (UTM, UXM), 65533 (UST), or a value
+/// outside of the scanner's range.
+inline constexpr Code nothing = -1;
 /// The reading is a distance.
 inline constexpr Code distance = std::numeric_limits<Code>::min();
 }  // namespace codes
 
-/// "65533", "no echo", "nan", "inf", "-inf" or "too far".
+/// "no distance", or the number of another code, such as "6".
 [[nodiscard]] std::string name_of_code(Code code);
 
 /// In seconds. Each clock begins somewhere.
@@ -42,8 +40,7 @@ struct ScanTime {
 
 class ScanSeries {
   public:
-    /// Without limits of the range in the identity, less than 20 mm and 65533 mm or more are codes,
-    /// as SCIP has them.
+    /// The range in the identity says what is a distance (sim::reading_of).
     explicit ScanSeries(sim::ScannerIdentity identity) : identity_(std::move(identity)) {}
 
     /// A scan that comes twice, since its client polls faster than the mirror turns, is counted and
@@ -77,7 +74,6 @@ class ScanSeries {
     [[nodiscard]] const std::vector<ScanTime>& times() const { return times_; }
 
   private:
-    [[nodiscard]] Code code_of(double range_mm) const;
     [[nodiscard]] bool is_double(const sim::RecordedScan& scan) const;
     void add_readings(const sim::RecordedScan& scan);
     void add_time(const sim::RecordedScan& scan);

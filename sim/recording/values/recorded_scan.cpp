@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "sim/recording/values/recorded_scan.h"
 
+#include <cmath>
 #include <utility>
 
 namespace scipd::sim {
@@ -11,7 +12,36 @@ void append(std::vector<double>& values, std::span<const double> more) {
     values.insert(values.end(), more.begin(), more.end());
 }
 
+// SCIP 2.0 has error codes below 20; the USTs say 65533 and more for "nothing".
+constexpr double least_mm = 20;
+constexpr double first_high_code_mm = 65533;
+
+/// Metres in 32 bits are a little off: 65.533 m by 4 micrometres at most.
+bool is_code(double mm) {
+    constexpr double rounded_mm = 0.01;
+    const bool whole = std::abs(mm - std::round(mm)) < rounded_mm;
+    return whole &&
+           ((mm > -0.5 && mm < least_mm) || (mm > first_high_code_mm - 0.5 && mm < 1U << 18U));
+}
+
 }  // namespace
+
+RecordedReading reading_of(double value, RangeUnit unit, const ScannerIdentity& identity) {
+    using enum RecordedReading::Kind;
+    constexpr double mm_per_m = 1000;
+    if (std::isnan(value)) return {nothing};
+    if (std::isinf(value)) return {value < 0 ? too_near : too_far};
+    const double mm = unit == RangeUnit::metres ? value * mm_per_m : value;
+    const double from_mm = identity.min_range_m ? *identity.min_range_m * mm_per_m : least_mm;
+    const double to_mm =
+        identity.max_range_m ? *identity.max_range_m * mm_per_m : first_high_code_mm - 1;
+    constexpr double rounded_mm = 0.01;
+    if (mm >= from_mm - rounded_mm && mm <= to_mm + rounded_mm && mm > 0)
+        return {distance, mm / mm_per_m};
+    if (unit == RangeUnit::metres && !(mm > 0)) return {nothing};  // drivers write 0 as well
+    if (is_code(mm)) return {code, 0, static_cast<std::uint32_t>(std::lround(mm))};
+    return {mm < from_mm ? too_near : too_far};
+}
 
 RecordedScan counter_clockwise(RecordedScan scan) {
     Directions& directions = scan.directions;

@@ -80,6 +80,26 @@ struct RecordedScan {
     }
 };
 
+/// A recorded value: a distance, or what stands in its place.
+struct RecordedReading {
+    enum class Kind {
+        distance,
+        nothing,   ///< NaN, 0 m, a negative value
+        too_near,  ///< -infinity (REP 117)
+        too_far,   ///< +infinity, and what lies beyond the scanner's range
+        code,      ///< a code of SCIP below 20, or from 65533 on
+    };
+    Kind kind = Kind::nothing;
+    double range_m = 0.0;    ///< of a distance
+    std::uint32_t code = 0;  ///< of a code
+};
+
+/// Drivers publish the code c of SCIP as c / 1000 m: what is exactly that, and outside of the
+/// scanner's range, is the code again. Without a range in the identity, 20 mm to 65532 mm are
+/// distances.
+[[nodiscard]] RecordedReading reading_of(double value, RangeUnit unit,
+                                         const ScannerIdentity& identity);
+
 /// Scanners that hang upside down look the other way round, and their drivers tell angles that go
 /// down. The same scan with its steps counter-clockwise.
 [[nodiscard]] RecordedScan counter_clockwise(RecordedScan scan);

@@ -121,8 +121,8 @@ TEST_F(Mounting, AProductThatTheUserChoseStays) {
     sensor().model = find_model("UHG-08LX");
     EXPECT_THAT(mount("top", MountKind::sensor),
                 ElementsAre("r/s: UST-10LX would fit house::roof::top better than UHG-08LX; "
-                            "UHG-08LX has 0.1 to 8 m instead of 0.02 to 30 m, 769 steps instead of "
-                            "1081, 15 Hz instead of 40 Hz"));
+                            "UHG-08LX has 0.03 to 11 m instead of 0.02 to 30 m, 769 steps instead "
+                            "of 1081, 15 Hz instead of 40 Hz"));
     EXPECT_EQ(sensor().model, find_model("UHG-08LX"));
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Scans whose angles go down are those of a scanner that hangs upside down.
+// Scans whose angles go down are those of a scanner that hangs upside down. Codes of SCIP come back
+// from metres.
 #include "sim/recording/values/recorded_scan.h"
+
+#include <cmath>
 
 #include <gmock/gmock.h>
 
@@ -35,6 +38,44 @@ TEST(CounterClockwise, KeepsTheEchoesOfAStepFromNearToFar) {
 TEST(CounterClockwise, LeavesWhatSaysNothing) {
     const sim::RecordedScan scan{.ranges = {1, 2, 3}};
     EXPECT_EQ(counter_clockwise(scan), scan);
+}
+
+using Kind = sim::RecordedReading::Kind;
+
+/// As drivers publish it: a float in metres.
+sim::RecordedReading published(float range_m) {
+    return sim::reading_of(double{range_m}, sim::RangeUnit::metres,
+                           {.min_range_m = 0.02, .max_range_m = 60.0});
+}
+
+TEST(ReadingOf, TakesThousandthsOfMetresForCodes) {
+    for (const std::uint32_t code : {1, 2, 3, 5, 6, 7, 8, 10, 15, 19, 65533, 65534}) {
+        const auto reading = published(static_cast<float>(code) / 1000.0F);
+        EXPECT_EQ(reading.kind, Kind::code) << code;
+        EXPECT_EQ(reading.code, code);
+    }
+}
+
+TEST(ReadingOf, KeepsDistancesAndWhatStandsForNone) {
+    EXPECT_EQ(published(0.02F).kind, Kind::distance);
+    EXPECT_FLOAT_EQ(static_cast<float>(published(1.2345F).range_m), 1.2345F);
+    EXPECT_EQ(published(60.0F).kind, Kind::distance);
+    EXPECT_EQ(published(60.5F).kind, Kind::too_far);
+    EXPECT_EQ(published(0.0065F).kind, Kind::too_near);
+    EXPECT_EQ(published(INFINITY).kind, Kind::too_far);
+    EXPECT_EQ(published(-INFINITY).kind, Kind::too_near);
+    EXPECT_EQ(published(std::nanf("")).kind, Kind::nothing);
+    EXPECT_EQ(published(0.0F).kind, Kind::nothing);
+    EXPECT_EQ(published(-1.0F).kind, Kind::nothing);
+}
+
+TEST(ReadingOf, KnowsTheCodesOfMillimetres) {
+    const sim::ScannerIdentity unknown;
+    EXPECT_EQ(sim::reading_of(19, sim::RangeUnit::millimetres, unknown).code, 19U);
+    EXPECT_EQ(sim::reading_of(0, sim::RangeUnit::millimetres, unknown).kind, Kind::code);
+    EXPECT_EQ(sim::reading_of(20, sim::RangeUnit::millimetres, unknown).range_m, 0.02);
+    EXPECT_EQ(sim::reading_of(65532, sim::RangeUnit::millimetres, unknown).kind, Kind::distance);
+    EXPECT_EQ(sim::reading_of(65533, sim::RangeUnit::millimetres, unknown).code, 65533U);
 }
 
 }  // namespace

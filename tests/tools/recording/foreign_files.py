@@ -10,11 +10,12 @@ import zlib
 BEGIN_S = 1_700_000_000
 
 
-def ros1_scan(stamp_ns, ranges, intensities=()):
-    """sensor_msgs/LaserScan as ROS 1 serializes it."""
+def ros1_scan(stamp_ns, ranges, intensities=(), fan_rad=(-1.5, 0.25), limits_m=(0.02, 30)):
+    """sensor_msgs/LaserScan as ROS 1 serializes it. A fan is its first angle and the one between two ranges."""
     frame = b"laser"
     head = struct.pack("<III", 1, stamp_ns // 10**9, stamp_ns % 10**9) + struct.pack("<I", len(frame)) + frame
-    return head + struct.pack("<7f", -1.5, 1.5, 0.25, 0, 0.025, 0.02, 30) \
+    first, step = fan_rad
+    return head + struct.pack("<7f", first, first + (len(ranges) - 1) * step, step, 0, 0.025, *limits_m) \
         + struct.pack(f"<I{len(ranges)}f", len(ranges), *ranges) \
         + struct.pack(f"<I{len(intensities)}f", len(intensities), *intensities)
 
@@ -115,7 +116,8 @@ def mcap(chunks):
     """An MCAP file of ROS 2 without a summary: its chunks are lists of (time in ns, message of /scan). The first one
     that is written describes the channel."""
     text = b"\x89MCAP0\r\n" + mcap_record(1, mcap_text("ros2") + mcap_text("a test"))
-    about = mcap_record(3, struct.pack("<H", 1) + mcap_text("sensor_msgs/msg/LaserScan") + mcap_text("ros2msg") + bytes(4))
+    about = mcap_record(3, struct.pack("<H", 1) + mcap_text("sensor_msgs/msg/LaserScan") + mcap_text("ros2msg") +
+                        bytes(4))
     about += mcap_record(4, struct.pack("<HH", 7, 1) + mcap_text("/scan") + mcap_text("cdr") + bytes(4))
     for chunk in chunks:
         records = about + b"".join(mcap_record(5, struct.pack("<HIQQ", 7, 0, time, time) + message)

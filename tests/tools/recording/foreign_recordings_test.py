@@ -33,7 +33,8 @@ class OfFiles(unittest.TestCase):
         return self.folder / name
 
     def info(self, *paths):
-        done = subprocess.run([SCIPCAT, "info", "--json", *map(str, paths)], capture_output=True, text=True, check=False)
+        done = subprocess.run([SCIPCAT, "info", "--json", *map(str, paths)], capture_output=True, text=True,
+                              check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
@@ -71,7 +72,8 @@ class Bags(OfFiles):
         chunks = [[("/scan", SCAN, NS, foreign.ros1_scan(NS, [1, 2, 3]))]]
         whole = bytearray(foreign.bag(chunks, "bz2"))
         whole[-30] ^= 0xFF
-        self.assertRegex(self.refused(self.path("a.bag", whole)), r"a\.bag: byte \d+: the chunk of \d+ bytes is no sound bzip2")
+        self.assertRegex(self.refused(self.path("a.bag", whole)),
+                         r"a\.bag: byte \d+: the chunk of \d+ bytes is no sound bzip2")
 
     def test_bags_by_rosbag_itself(self):
         writer = pathlib.Path(__file__).with_name("rosbag_files.py")
@@ -99,7 +101,8 @@ class Bags(OfFiles):
         (gap,) = info["gaps"]
         self.assertAlmostEqual(gap["seconds"], 0.005 * (101 - info["scans"]))
         self.assertIn(info["scans"], range(85, 98))
-        self.assertRegex(info["warnings"][0], r"a\.bag: byte \d+: the chunk of \d+ bytes is no sound bzip2; it is left out")
+        self.assertRegex(info["warnings"][0],
+                         r"a\.bag: byte \d+: the chunk of \d+ bytes is no sound bzip2; it is left out")
 
         # Some recorders of 2010 wrote wrong sizes into their indexes.
         changed = bytearray(whole)
@@ -148,7 +151,8 @@ class Bags(OfFiles):
         whole[second + 200] ^= 1
         info = self.info(self.path("a.mcap", whole))
         self.assertEqual((info["scans"], [gap["after_scan"] for gap in info["gaps"]]), (20, [10]))
-        self.assertRegex(info["warnings"][0], rf"byte {second}: the chunk of \d+ bytes is damaged: its checksum is wrong")
+        self.assertRegex(info["warnings"][0],
+                         rf"byte {second}: the chunk of \d+ bytes is damaged: its checksum is wrong")
 
     def test_bags_of_ros_2(self):
         path = self.path("a.db3")
@@ -190,7 +194,8 @@ class Bags(OfFiles):
         self.assertEqual(info["times"], {"stamped": 9, "logged": 1})
 
     def test_what_goes_back_in_time_is_told(self):
-        path = self.path("a.jsonl", b"".join(b'{"host_time_s": %d, "distances_mm": [1]}\n' % time for time in (5, 6, 3, 4)))
+        path = self.path("a.jsonl", b"".join(b'{"host_time_s": %d, "distances_mm": [1]}\n' % time
+                                                  for time in (5, 6, 3, 4)))
         info = self.info(path)
         self.assertEqual((info["seconds"], info["times"]), (2, {"stamped": 0, "logged": 0}))
         self.assertRegex(info["warnings"][0], "the times of its scans go back 1 times, first at scan 3")

@@ -89,8 +89,7 @@ TEST(ScipcatCompare, NamesWhatDiffersFromARecording) {
         EXPECT_TRUE(document.contains(member)) << member;
     EXPECT_TRUE(document.at("floor").contains("mean_mm"));
     EXPECT_TRUE(document.at("floor").contains("sd_mm"));
-    const std::string nothing = std::to_string(ust().codes.nothing);
-    EXPECT_GT(document.at("codes_a").at(nothing).get<double>(), 0.04);
+    EXPECT_GT(document.at("codes_a").at("no distance").get<double>(), 0.04);
 }
 
 /// The numbers beside each vertical axis of a page.

@@ -44,7 +44,8 @@ ScanSeries series_of(const std::vector<std::vector<double>>& scans,
 
 TEST(ScanSeries, KeepsCodesApartFromDistances) {
     const ScanSeries plain = series_of({{1000, 0, 19, 20, 65532, 65533}});
-    const std::vector<Code> codes{codes::distance, 0, 19, codes::distance, codes::distance, 65533};
+    const std::vector<Code> codes{codes::distance, codes::nothing,  19,
+                                  codes::distance, codes::distance, codes::nothing};
     for (std::size_t beam = 0; beam < codes.size(); ++beam)
         EXPECT_EQ(plain.code(0, beam), codes[beam]) << beam;
     EXPECT_TRUE(std::isnan(plain.range_mm(0, 1)));
@@ -56,23 +57,23 @@ TEST(ScanSeries, TakesTheLimitsOfTheScanner) {
     identity.min_range_m = 0.06;
     identity.max_range_m = 30;
     const ScanSeries series = series_of({{59, 60, 30'000, 30'001, 65533}}, identity);
-    EXPECT_EQ(series.code(0, 0), 59);
+    EXPECT_EQ(series.code(0, 0), codes::nothing);
     EXPECT_EQ(series.code(0, 1), codes::distance);
     EXPECT_EQ(series.code(0, 2), codes::distance);
-    EXPECT_EQ(series.code(0, 3), codes::too_far);
-    EXPECT_EQ(series.code(0, 4), 65533);
+    EXPECT_EQ(series.code(0, 3), codes::nothing);
+    EXPECT_EQ(series.code(0, 4), codes::nothing);
 }
 
 TEST(ScanSeries, ReadsMetres) {
     ScanSeries series{sim::ScannerIdentity{}};
-    sim::RecordedScan scan = scan_of({1.5, std::nan(""), INFINITY, -INFINITY, 65.532997F}, 1);
+    sim::RecordedScan scan =
+        scan_of({1.5, std::nan(""), INFINITY, -INFINITY, 65.532997F, 0.0, 0.006F}, 1);
     scan.unit = sim::RangeUnit::metres;
     series.add(scan);
     EXPECT_EQ(series.range_mm(0, 0), 1500);
-    EXPECT_EQ(name_of_code(series.code(0, 1)), "nan");
-    EXPECT_EQ(name_of_code(series.code(0, 2)), "inf");
-    EXPECT_EQ(name_of_code(series.code(0, 3)), "-inf");
-    EXPECT_EQ(name_of_code(series.code(0, 4)), "65533");
+    for (std::size_t beam = 1; beam < 6; ++beam)
+        EXPECT_EQ(name_of_code(series.code(0, beam)), "no distance") << beam;
+    EXPECT_EQ(name_of_code(series.code(0, 6)), "6");
 }
 
 TEST(ScanSeries, LeavesOutDoublesAndOddOnes) {
