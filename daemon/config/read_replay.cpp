@@ -15,15 +15,23 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 6> replay_keys{"file",  "stream", "loop",
-                                                      "speed", "from_s", "begins_s"};
+constexpr std::array<std::string_view, 7> replay_keys{"file",   "stream", "loop",    "speed",
+                                                      "from_s", "begins", "begins_s"};
 
-using Begins = std::variant<std::chrono::nanoseconds, AsRecorded>;
+using Stamp = std::variant<std::chrono::nanoseconds, AsRecorded>;
 
-sim::Expected<std::optional<Begins>> parse_begins(std::string_view text) {
-    if (text == "recorded") return Begins(AsRecorded{});
+sim::Expected<ReplayStart> parse_begins(std::string_view text) {
+    if (text == "client") return ReplayStart::client;
+    if (text == "start") return ReplayStart::start;
+    return sim::refuse(
+        "must be client (with the first program that takes scans) or start (with scipd), not " +
+        sim::quote(text));
+}
+
+sim::Expected<std::optional<Stamp>> parse_begins_s(std::string_view text) {
+    if (text == "recorded") return Stamp(AsRecorded{});
     const auto stamp = sim::parse_stamp(text);
-    if (stamp) return Begins(*stamp);
+    if (stamp) return Stamp(*stamp);
     return sim::refuse("must be a stamp in seconds, within 9e9, or recorded, not " +
                        sim::quote(text));
 }
@@ -79,9 +87,13 @@ ReplayConfig read_replay(const sim::YamlField& field, const std::filesystem::pat
     section.read("loop", replay.loop, parse_loop);
     section.read("speed", replay.speed, parse_speed);
     section.read("from_s", replay.from, parse_span);
-    section.read("begins_s", replay.begins, parse_begins);
-    if (const sim::YamlField* begins = section.find("begins_s"); begins && section.find("from_s"))
-        faults.add(*begins, "give begins_s or from_s, not both");
+    section.read("begins", replay.begins, parse_begins);
+    section.read("begins_s", replay.begins_s, parse_begins_s);
+    for (const char* const key : {"from_s", "begins"}) {
+        const sim::YamlField* const stamp = section.find("begins_s");
+        if (stamp != nullptr && section.find(key))
+            faults.add(*stamp, "give begins_s or " + std::string(key) + ", not both");
+    }
     return replay;
 }
 

@@ -19,6 +19,11 @@ enum class ReplayLoop {
     on,     ///< stamps go on from round to round
 };
 
+enum class ReplayStart {
+    client,  ///< with the first program that takes scans of it
+    start,   ///< with scipd
+};
+
 /// When its first scan was recorded, as the file says.
 struct AsRecorded {
     bool operator==(const AsRecorded&) const = default;
@@ -28,11 +33,14 @@ struct ReplayConfig {
     std::vector<std::filesystem::path> files;  ///< one recording; also folders of it
     std::string stream;  ///< which of several scanners or topics of the file; empty: the only one
     ReplayLoop loop = ReplayLoop::none;
-    double speed = 1.0;               ///< how many times as fast as it was recorded
-    std::chrono::nanoseconds from{};  ///< where it begins, since its first scan
-    /// When the first scan begins, on the line of the poses' stamps; nothing: at once.
-    std::optional<std::variant<std::chrono::nanoseconds, AsRecorded>> begins;
+    double speed = 1.0;  ///< how many times as fast as it was recorded
+    /// Position at which it begins, since the first scan of all scanners that play these files.
+    std::chrono::nanoseconds from{};
+    ReplayStart begins = ReplayStart::client;
+    /// Stamp of the poses at which that first scan is due; nullopt: `begins` says when it is.
+    std::optional<std::variant<std::chrono::nanoseconds, AsRecorded>> begins_s;
     bool finds_model = false;  ///< the recording says of which model the scanner is
+    bool serves_all = false;   ///< a recording of several scanners becomes as many sensors
 
     /// "a.mcap+b.mcap"
     [[nodiscard]] std::string name() const {

@@ -127,6 +127,7 @@ void say_replay(const ReplayConfig& replay, YAML::Node said) {
     for (std::size_t i = 0; !single && i < replay.files.size(); ++i)
         files.push_back(replay.files[i].string());
     said["replay"]["file"] = files;
+    if (!replay.stream.empty()) said["replay"]["stream"] = replay.stream;
     if (replay.loop == ReplayLoop::again) said["replay"]["loop"] = "true";
     if (replay.loop == ReplayLoop::on) said["replay"]["loop"] = "on";
 }

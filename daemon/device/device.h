@@ -41,10 +41,10 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed, World& world,
            Clock& clock);
     /// From now on it shows these scans, and no world. To be called before it has clients.
-    void play(SharedTape tape, const ReplayConfig& config);
-    /// Null: it looks at the world.
-    [[nodiscard]] Replay* replay() { return replay_ ? &*replay_ : nullptr; }
-    [[nodiscard]] ReplayTurn replay_turn(std::int64_t revolution) const;
+    void play(Track track, const ReplayConfig& config);
+    /// Only of one that plays.
+    [[nodiscard]] ReplayStatus replay_status() const;
+    ReplayStatus steer_replay(const ReplaySteering& steering);
     ~Device() override;
     [[nodiscard]] std::unique_ptr<Client> connect(std::function<void()> on_actions,
                                                   protocol::LinkKind link) override;
@@ -113,8 +113,11 @@ class Device : public ScanSource, public Endpoint, private Lamp {
 
     /// Lets the mirror turn as the state says. To be called after whatever may have changed that.
     void follow_motor();
+    /// Somebody takes scans: a log that waits for its first client begins.
+    void begin_replay();
     /// Lets it turn as it did when the scan of this revolution was recorded.
     void turn_as_recorded(std::int64_t revolution);
+    [[nodiscard]] ReplayTurn replay_turn(std::int64_t revolution) const;
     /// Measures a revolution that is complete, if nobody has done so yet.
     const ScanRecord& measure(std::int64_t revolution);
     [[nodiscard]] ScanRecord cast(std::int64_t revolution);

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // How a device gets its scans: it casts them into the world, or plays a recording.
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -16,9 +17,18 @@
 
 namespace scipd::daemon {
 
-void Device::play(SharedTape tape, const ReplayConfig& config) {
-    replay_.emplace(std::move(tape), config);
+void Device::play(Track track, const ReplayConfig& config) {
+    replay_.emplace(std::move(track), config);
+    if (config.begins == ReplayStart::start) replay_->begin(replay_turn(0).begins);
     turn_as_recorded(0);
+}
+
+// With the first turn that begins from now on, since a client gets no scan of an earlier one.
+void Device::begin_replay() {
+    if (!replay_) return;
+    const std::int64_t turn = std::max<std::int64_t>(timing_.revolution_at(uptime()), 0);
+    replay_->begin(replay_turn(start_of(turn) < uptime() ? turn + 1 : turn).begins);
+    turn_as_recorded(turn);
 }
 
 void Device::turn_as_recorded(std::int64_t revolution) {
@@ -26,7 +36,19 @@ void Device::turn_as_recorded(std::int64_t revolution) {
 }
 
 ReplayTurn Device::replay_turn(std::int64_t revolution) const {
-    return {revolution, clock_.origin() + device_clock_.world_time(timing_.start(revolution))};
+    const sim::Time begins = device_clock_.world_time(timing_.start(revolution));
+    return {.begins = begins, .stamp = clock_.origin() + begins};
+}
+
+ReplayStatus Device::replay_status() const {
+    return replay_->status(replay_turn(next_revolution()));
+}
+
+ReplayStatus Device::steer_replay(const ReplaySteering& steering) {
+    const std::int64_t turn = next_revolution();
+    ReplayStatus status = replay_->steer(steering, replay_turn(turn));
+    turn_as_recorded(turn);
+    return status;
 }
 
 bool Device::shows(std::int64_t revolution) const {

@@ -3,12 +3,18 @@
 #include "daemon/plan/load_tapes.h"
 
 #include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <filesystem>
 #include <iterator>
+#include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "daemon/plan/read_tape.h"
 #include "sim/loaders/file/load_error.h"
+#include "sim/text/name.h"
 
 namespace scipd::daemon {
 namespace {
@@ -26,33 +32,175 @@ void take_identity(const sim::ScannerIdentity& identity, Model& model) {
     model.own_serial = true;
 }
 
+/// A sensor that plays, and the scanner that it plays.
+struct Player {
+    std::string name;
+    SensorConfig* sensor = nullptr;
+    std::optional<sim::HostTime> first = std::nullopt;
+    std::optional<sim::HostTime> logged = std::nullopt;
+    Track track = {};
+};
+
+using Log = std::vector<Player>;
+
+/// Distances in time by headers, or by the recorder where headers have several clocks.
+void align(Log& log) {
+    constexpr auto one_clock = std::chrono::hours(1);
+    const auto lead_by = [&](std::optional<sim::HostTime> Player::* time) {
+        auto earliest = sim::HostTime::max();
+        for (const Player& player : log)
+            if (player.*time) earliest = std::min(earliest, *(player.*time));
+        sim::Time longest{};
+        for (Player& player : log) {
+            player.track.lead = player.*time ? *(player.*time) - earliest : sim::Time::zero();
+            longest = std::max(longest, player.track.lead);
+        }
+        return longest;
+    };
+    const bool all_logged =
+        std::ranges::all_of(log, [](const Player& player) { return player.logged.has_value(); });
+    if (lead_by(&Player::first) > one_clock && all_logged) lead_by(&Player::logged);
+}
+
+/// "front_scan" of /front/scan, of letters that the name of a sensor may have.
+std::string sensor_of_topic(const std::string& topic) {
+    std::string name;
+    for (const char letter : topic) {
+        const bool legal = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-';
+        if (legal || (!name.empty() && name.back() != '_')) name += legal ? letter : '_';
+    }
+    while (name.ends_with('_'))
+        name.pop_back();
+    return name.empty() ? "scanner" : name.substr(0, sim::longest_name - 4);
+}
+
+/// The sensor of a robot becomes one for each scanner of its recording, on ports one after the
+/// other.
+void serve_all(RobotConfig& robot, const std::stop_token& stop) {
+    const SensorConfig first = robot.sensors.front();
+    robot.sensors.clear();
+    for (const std::string& stream : recorded_streams(*first.replay, stop)) {
+        SensorConfig sensor = first;
+        const std::string name = sensor_of_topic(stream);
+        const auto is_taken = [&](const SensorConfig& other) { return other.name == sensor.name; };
+        sensor.name = name;
+        for (int i = 2; std::ranges::any_of(robot.sensors, is_taken); ++i)
+            sensor.name = name + "_" + std::to_string(i);
+        sensor.replay->stream = stream;
+        sensor.replay->serves_all = false;
+        const std::size_t port = sensor.tcp ? sensor.tcp->port + robot.sensors.size() : 0;
+        if (port > std::numeric_limits<std::uint16_t>::max())
+            throw sim::LoadError({"--tcp " + text_of(*first.tcp) +
+                                  " leaves no port for each scanner of the recording; take a "
+                                  "lower one, or port 0"});
+        if (sensor.tcp && sensor.tcp->port != 0)
+            sensor.tcp->port = static_cast<std::uint16_t>(port);
+        if (sensor.pty && !sensor.pty->link.empty()) sensor.pty->link += "-" + sensor.name;
+        robot.sensors.push_back(std::move(sensor));
+    }
+}
+
+/// Collects the errors of all sensors.
+class Loader {
+  public:
+    explicit Loader(const std::stop_token& stop) : stop_(stop) {}
+
+    void add(const std::string& name, SensorConfig& sensor, ClockKind clock) {
+        guard({.name = name, .sensor = &sensor}, [&](Player player) {
+            const ReplayConfig& replay = *sensor.replay;
+            if (replay.begins_s && clock != ClockKind::poses)
+                throw sim::LoadError({"begins_s is a stamp of poses, and needs clock: poses"});
+            RecordedScanner scanner = recorded_scanner(replay);
+            player.first = scanner.first;
+            player.logged = scanner.logged;
+            if (replay.finds_model) {
+                take_identity(scanner.identity, scanner.model);
+                sensor.model = std::move(scanner.model);
+            }
+            logs_[replay.files].push_back(std::move(player));
+        });
+    }
+
+    LoadedTapes load(bool strict) {
+        for (auto& [files, log] : logs_)
+            load(log);
+        if (strict) std::ranges::copy(loaded_.warnings, std::back_inserter(errors_));
+        if (!errors_.empty()) throw sim::LoadError(std::move(errors_));
+        return std::move(loaded_);
+    }
+
+  private:
+    template <class Step>
+    void guard(Player player, const Step& step) {
+        try {
+            step(player);
+        } catch (const sim::LoadError& error) {
+            const bool is_several = dynamic_cast<const SeveralScanners*>(&error) != nullptr;
+            if (is_several && player.sensor->replay->serves_all) throw;
+            std::ranges::transform(error.faults(), std::back_inserter(errors_),
+                                   [&](const auto& why) { return player.name + ": " + why; });
+        }
+    }
+
+    /// Sensors that play the same files share a time line.
+    void load(Log& log) {
+        align(log);
+        std::optional<sim::Time> recorded;
+        sim::Time duration{};
+        for (const Player& player : log) {
+            guard(player, [&](const Player& playing) {
+                const sim::Time lead = playing.track.lead;
+                const SharedTape tape = read(playing, lead);
+                if (const auto first = tape->recorded())
+                    recorded = std::min(recorded.value_or(*first - lead), *first - lead);
+                duration = std::max(duration, lead + tape->begin(tape->size()));
+                loaded_.tracks[playing.name] = {.tape = tape, .lead = lead};
+            });
+        }
+        const auto line = std::make_shared<LogLine>(recorded, duration);
+        for (const Player& player : log)
+            loaded_.tracks[player.name].line = line;
+    }
+
+    /// Its warnings are told once a recording.
+    SharedTape read(const Player& player, sim::Time lead) {
+        ReplayConfig replay = *player.sensor->replay;
+        replay.from = std::max(replay.from - lead, sim::Time::zero());
+        std::vector<std::string> warnings;
+        SharedTape tape = read_tape(replay, player.sensor->model, warnings, stop_);
+        for (std::string& warning : warnings) {
+            if (std::ranges::find(loaded_.warnings, warning) == loaded_.warnings.end())
+                loaded_.warnings.push_back(std::move(warning));
+        }
+        return tape;
+    }
+
+    const std::stop_token& stop_;
+    std::map<std::vector<std::filesystem::path>, Log> logs_;
+    LoadedTapes loaded_;
+    std::vector<std::string> errors_;
+};
+
+LoadedTapes load_as_configured(Config& config, const std::stop_token& stop) {
+    Loader loader(stop);
+    for (RobotConfig& robot : config.robots) {
+        for (SensorConfig& sensor : robot.sensors) {
+            if (sensor.replay)
+                loader.add(sensor_name(robot.name, sensor.name), sensor, config.clock);
+        }
+    }
+    return loader.load(config.strict);
+}
+
 }  // namespace
 
 LoadedTapes load_tapes(Config& config, const std::stop_token& stop) {
-    LoadedTapes loaded;
-    std::vector<std::string> faults;
-    for (RobotConfig& robot : config.robots) {
-        for (SensorConfig& sensor : robot.sensors) {
-            if (!sensor.replay) continue;
-            const std::string name = sensor_name(robot.name, sensor.name);
-            try {
-                if (sensor.replay->begins && config.clock != ClockKind::poses)
-                    throw sim::LoadError({"begins_s is a stamp of poses, and needs clock: poses"});
-                if (sensor.replay->finds_model) {
-                    RecordedScanner scanner = recorded_scanner(*sensor.replay);
-                    take_identity(scanner.identity, scanner.model);
-                    sensor.model = std::move(scanner.model);
-                }
-                loaded.tapes[name] = read_tape(*sensor.replay, sensor.model, loaded.warnings, stop);
-            } catch (const sim::LoadError& error) {
-                std::ranges::transform(error.faults(), std::back_inserter(faults),
-                                       [&](const std::string& why) { return name + ": " + why; });
-            }
-        }
+    try {
+        return load_as_configured(config, stop);
+    } catch (const SeveralScanners&) {
+        serve_all(config.robots.front(), stop);
+        return load_as_configured(config, stop);
     }
-    if (config.strict) std::ranges::copy(loaded.warnings, std::back_inserter(faults));
-    if (!faults.empty()) throw sim::LoadError(std::move(faults));
-    return loaded;
 }
 
 }  // namespace scipd::daemon

@@ -10,21 +10,22 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/replay/tape.h"
+#include "daemon/replay/replay.h"
 
 namespace scipd::daemon {
 
 /// By the full names of sensors.
-using Tapes = std::map<std::string, SharedTape>;
+using Tracks = std::map<std::string, Track>;
 
 struct LoadedTapes {
-    Tapes tapes;
+    Tracks tracks;
     std::vector<std::string> warnings;
 };
 
 /// Reads them, and makes each sensor whose model is not named the one that its recording is of,
-/// with what it said of itself. Throws sim::LoadError with all faults; where the configuration is
-/// strict, warnings are faults.
+/// with what it said of itself. Sensors that play the same files share a time line. One that
+/// `serves_all` becomes a sensor for each scanner of its recording. Throws sim::LoadError with all
+/// errors; where the configuration is strict, warnings are errors.
 [[nodiscard]] LoadedTapes load_tapes(Config& config, const std::stop_token& stop);
 
 }  // namespace scipd::daemon

@@ -54,6 +54,7 @@ class ScanReader {
             auto* const scan = std::get_if<RecordedScan>(&(**item).what);
             if (scan == nullptr || !is_wanted((**item).stream)) continue;
             scan_ = std::move(*scan);
+            logged_ = (**item).logged;
             // The first one tells from when on the others count.
             if (skip_) recording_->skip_ahead(*std::exchange(skip_, std::nullopt));
             return &scan_;
@@ -67,6 +68,8 @@ class ScanReader {
     [[nodiscard]] const sim::ScannerIdentity& identity() const {
         return recording_->streams()[stream_.value()].identity;
     }
+
+    [[nodiscard]] std::optional<sim::HostTime> logged() const { return logged_; }
 
     [[nodiscard]] const std::vector<std::string>& warnings() const {
         return recording_->warnings();
@@ -85,8 +88,8 @@ class ScanReader {
         if (!replay_.stream.empty() && name != replay_.stream) return false;
         if (!stream_) stream_ = stream;
         if (*stream_ == stream) return true;
-        fail(replay_, "has scans of several scanners, " + names() +
-                          "; say which with `stream` under `replay` in a configuration");
+        throw SeveralScanners({replay_.name() + ": has scans of several scanners, " + names() +
+                               "; say which with `stream` under `replay` in a configuration"});
     }
 
     const ReplayConfig& replay_;
@@ -94,6 +97,7 @@ class ScanReader {
     std::optional<std::size_t> stream_;
     std::optional<sim::Time> skip_;
     RecordedScan scan_;
+    std::optional<sim::HostTime> logged_;
 };
 
 /// Nothing where the two stamps do not follow each other.
@@ -325,17 +329,37 @@ RecordedScanner recorded_scanner(const ReplayConfig& replay) {
                                                  "; it has those of " + reader.names());
     }
     const RecordedScan scan = *first;
-    const RecordedScan* const second = reader.next();
-    const double rate_hz = second == nullptr ? 0.0 : rate_between(Moment(scan), Moment(*second));
-    const sim::ScannerIdentity identity = reader.identity();
-    if (auto model = named_in(identity.model)) return {identity, *std::move(model)};
-    const bool has_angles = scan.directions.first_rad && scan.directions.increment_rad;
-    if (!has_angles) {
+    RecordedScanner scanner{
+        .identity = reader.identity(), .first = scan.host_time, .logged = reader.logged()};
+    if (!replay.finds_model) return scanner;
+    if (auto model = named_in(scanner.identity.model)) {
+        scanner.model = *std::move(model);
+        return scanner;
+    }
+    if (!scan.directions.first_rad || !scan.directions.increment_rad) {
         fail(replay,
              "does not name the scanner's model; name it (--model, or `model` in a "
              "configuration), one of `scipd --list-models`");
     }
-    return {identity, recorded_model(lidar_of(scan, identity, rate_hz))};
+    const RecordedScan* const second = reader.next();
+    const double rate_hz = second == nullptr ? 0.0 : rate_between(Moment(scan), Moment(*second));
+    scanner.model = recorded_model(lidar_of(scan, scanner.identity, rate_hz));
+    return scanner;
+}
+
+std::vector<std::string> recorded_streams(const ReplayConfig& replay, const std::stop_token& stop) {
+    const auto recording = open_scans(replay.files);
+    if (!recording) throw sim::LoadError({recording.error().why});
+    while (true) {
+        if (stop.stop_requested()) throw sim::LoadError({"scipd ends"});
+        const auto item = (*recording)->next();
+        if (!item) throw sim::LoadError({item.error().why});
+        if (!*item) break;
+    }
+    std::vector<std::string> names;
+    for (const sim::RecordedStream& stream : (*recording)->streams())
+        if (stream.has_scans) names.push_back(stream.name);
+    return names;
 }
 
 SharedTape read_tape(const ReplayConfig& replay, const Model& model,
@@ -378,7 +402,8 @@ SharedTape read_tape(const ReplayConfig& replay, const Model& model,
     for (const std::string& warning : reader.warnings())
         warnings.push_back(replay.name() + ": " + warning);
     loss.report(warnings);
-    if (replay.begins && std::holds_alternative<AsRecorded>(*replay.begins) && !tape->recorded())
+    if (replay.begins_s && std::holds_alternative<AsRecorded>(*replay.begins_s) &&
+        !tape->recorded())
         fail(replay, "has no date: give begins_s as a stamp in seconds");
     return tape;
 }

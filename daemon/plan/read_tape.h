@@ -5,6 +5,7 @@
 // shared.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "daemon/config/replay_config.h"
 #include "daemon/models/model.h"
 #include "daemon/replay/tape.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/recording/values/recorded_scan.h"
 #include "sim/recording/values/scanner_identity.h"
 
 namespace scipd::daemon {
@@ -20,14 +23,27 @@ namespace scipd::daemon {
 struct RecordedScanner {
     sim::ScannerIdentity identity;
     Model model;
+    std::optional<sim::HostTime> first;   ///< time of its first scan
+    std::optional<sim::HostTime> logged;  ///< by the clock of the recorder
 };
 
-/// The product that the recording names, or whose steps and range it has; else one of its own,
-/// `recorded`. Throws sim::LoadError, with what to
-/// do, where the recording cannot be read, or is of none.
+/// Thrown where a recording of several scanners is played, and none of them is named.
+class SeveralScanners : public sim::LoadError {
+  public:
+    using sim::LoadError::LoadError;
+};
+
+/// If `finds_model`, the model is the product that the recording names, or whose steps and range it
+/// has; else one of its own, `recorded`. Throws sim::LoadError, with what to do, if the recording
+/// cannot be read, or its model is wanted and not known.
 [[nodiscard]] RecordedScanner recorded_scanner(const ReplayConfig& replay);
 
-/// The scans as this model sends them. What has no step of its own on the model's wire is left out;
+/// The names of the scanners of a recording, by which `stream` chooses. Reads all of it. Throws
+/// sim::LoadError, also soon after `stop`.
+[[nodiscard]] std::vector<std::string> recorded_streams(const ReplayConfig& replay,
+                                                        const std::stop_token& stop = {});
+
+/// The scans as this model sends them, from `from` after the first scan on, and a little before. What has no step of its own on the model's wire is left out;
 /// a step that was not recorded has the model's code for nothing. A warning says what the model has
 /// no step or range for. Throws sim::LoadError, also soon after `stop`.
 [[nodiscard]] SharedTape read_tape(const ReplayConfig& replay, const Model& model,

@@ -159,7 +159,7 @@ RigPlan make_plan(Config config, const Running& running, const std::stop_token& 
             .materials = std::move(materials.library),
             .scenario = std::move(scenario),
             .trajectories = std::move(trajectories),
-            .tapes = std::move(tapes.tapes),
+            .tracks = std::move(tapes.tracks),
             .added = std::move(shared.added),
             .unlike_the_others = std::move(shared.failed),
             .scripts_age = shared.age};

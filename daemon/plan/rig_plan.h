@@ -53,7 +53,7 @@ struct RigPlan {
     sim::SharedMaterials materials;
     std::optional<Scenario> scenario;
     LoadedTrajectories trajectories;
-    Tapes tapes;
+    Tracks tracks;
     AddedTriangles added;  ///< by daemons that share the world
     /// Why what they have changed could not be made here, by model.
     std::map<std::string, std::string> unlike_the_others;

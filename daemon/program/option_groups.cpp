@@ -183,7 +183,9 @@ void add_replay(Group& group, SensorConfig& sensor) {
         .add("--replay", "FILE",
              "play this recording in place of a world: MCAP, UBH, CSV, JSON lines, bags of ROS, "
              "rows of numbers, logs of CARMEN, CoreSLAM and Player, .npy or pcap; several files, "
-             "or the folder of a bag, are one recording; default: none",
+             "or the folder of a bag, are one recording; of several scanners each is served, on "
+             "ports "
+             "from --tcp on; default: none",
              [&](const auto& text) {
                  if (!sensor.replay) sensor.replay.emplace();
                  return parse_recording(text, fs::current_path()).map([&](const fs::path& file) {

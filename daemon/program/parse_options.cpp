@@ -77,6 +77,7 @@ sim::Expected<> complete(OptionValues& said) {
     Config& config = said.options.config;
     auto& replay = said.sensor.replay;
     if (replay) replay->finds_model = !said.model_given;
+    if (replay) replay->serves_all = true;
     const bool demo = config.scene.empty() && !replay;
     if (demo) {
         const auto scene = demo_scene();

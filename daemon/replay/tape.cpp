@@ -75,4 +75,9 @@ std::size_t Tape::at(sim::Time since_first) const {
     return static_cast<std::size_t>(before);
 }
 
+std::size_t Tape::next(sim::Time since_first) const {
+    const auto next = std::ranges::lower_bound(begins_.begin(), begins_.end() - 1, since_first);
+    return static_cast<std::size_t>(next - begins_.begin());
+}
+
 }  // namespace scipd::daemon

@@ -50,6 +50,8 @@ class Tape {
     }
     /// The scan that is under way at this time since the first one.
     [[nodiscard]] std::size_t at(sim::Time since_first) const;
+    /// The first scan that begins at this time since the first one, or later; size(): none does.
+    [[nodiscard]] std::size_t next(sim::Time since_first) const;
 
   private:
     struct Close {

@@ -235,15 +235,16 @@ std::vector<Station*> Rig::start(const RigPlan& plan, const Ports& ports) noexce
             auto station = take_unchanged(staying, robot.name, sensor, config.seed);
             const std::string name = sensor_name(robot.name, sensor.name);
             const std::size_t home = homes_.sensors.at(name);
-            const auto tape = plan.tapes.find(name);
-            const StationContext context{.shard = simulation.shards.at(home),
-                                         .stream = simulation.stream,
-                                         .view = simulation.view,
-                                         .wire = simulation.wire,
-                                         .recordings = simulation.recordings,
-                                         .clients = simulation.clients,
-                                         .lockstep = simulation.lockstep != nullptr,
-                                         .tape = tape == plan.tapes.end() ? nullptr : tape->second};
+            const auto track = plan.tracks.find(name);
+            const StationContext context{
+                .shard = simulation.shards.at(home),
+                .stream = simulation.stream,
+                .view = simulation.view,
+                .wire = simulation.wire,
+                .recordings = simulation.recordings,
+                .clients = simulation.clients,
+                .lockstep = simulation.lockstep != nullptr,
+                .track = track == plan.tracks.end() ? Track{} : track->second};
             SensorPorts served = ports_of(ports, robot.name, sensor);
             if (!station) {
                 station = make_station(context, robot.name, sensor, config.seed, served);

@@ -106,16 +106,13 @@ std::optional<ReplayStatus> RigApi::replay(const std::string& sensor) const {
     const Station* const station = find_station(simulation_.stations, sensor);
     if (station == nullptr || !station->config.replay) return std::nullopt;
     Device& device = *std::get<std::unique_ptr<Device>>(station->sensor);
-    return simulation_.shards.still(
-        [&] { return device.replay()->status(device.replay_turn(device.next_revolution())); });
+    return simulation_.shards.still([&] { return device.replay_status(); });
 }
 
 ReplayStatus RigApi::steer_replay(const std::string& sensor, const ReplaySteering& steering) {
     const Station& station = *find_station(simulation_.stations, sensor);
     Device& device = *std::get<std::unique_ptr<Device>>(station.sensor);
-    return simulation_.shards.still([&] {
-        return device.replay()->steer(steering, device.replay_turn(device.next_revolution()));
-    });
+    return simulation_.shards.still([&] { return device.steer_replay(steering); });
 }
 
 void RigApi::ask_log(const std::string& sensor) {

@@ -97,7 +97,7 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     of_device.clock.phase = phase_of(*station, context);
     auto& device = put_in<Device>(*station, context, of_device);
     device.count_clients_in(context.clients);
-    if (context.tape) device.play(context.tape, *sensor.replay);
+    if (context.track.tape) device.play(context.track, *sensor.replay);
     std::vector<Port*> served;
     std::vector<std::shared_ptr<Port>> heard;
     for (const auto& port : {station->ports.tcp, station->ports.pty}) {

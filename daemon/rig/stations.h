@@ -22,7 +22,7 @@
 #include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/link/link_counts.h"
-#include "daemon/replay/tape.h"
+#include "daemon/replay/replay.h"
 #include "daemon/rig/ports.h"
 
 namespace scipd::daemon {
@@ -74,7 +74,7 @@ struct StationContext {
     Recordings& recordings;
     std::atomic<int>& clients;  ///< of all scanners
     bool lockstep = false;
-    SharedTape tape = nullptr;  ///< that it plays; null: it looks at the world
+    Track track = {};  ///< that it plays; without a tape: it looks at the world
 };
 
 /// Switches a sensor on, behind its ports. These have been prepared, and so it does not fail.

@@ -14,6 +14,7 @@ import tempfile
 import threading
 
 from fault_lab import PATIENCE_S, Client, Control
+from replay_test import two_scanners
 
 BEGIN_S = 1_700_000_000
 POSES_PER_S = 50
@@ -108,6 +109,28 @@ def drive(scipd, configuration):
     return heard, recorded
 
 
+def keeps_two_in_step(scipd, folder):
+    """Two scanners of one log, the second of which was switched on later."""
+    sensors = {name: {"replay": {"file": str(two_scanners(folder)), "stream": f"/{name}/scan"}, "tcp": "127.0.0.1:0"}
+               for name in ("front", "rear")}
+    (folder / "two.yaml").write_text(json.dumps({
+        "clock": "poses", "control": str(folder / "s"), "robots": {"robot": {"poses": "-", "sensors": sensors}}}))
+    with subprocess.Popen([scipd, "--config", str(folder / "two.yaml")], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True) as process:
+        control = json.loads(process.stdout.readline())["control"]
+        recorders = [Recorder(control, "rear", 15), Recorder(control, "front", 22)]
+        Control(control).ask("GET", "/status")
+        process.stdin.write(poses())
+        process.stdin.flush()
+        rear, front = (recorder.scans() for recorder in recorders)
+        process.terminate()
+    recorded = [[(scan["distances_mm"][300] - 1000) // 10 for scan in scans] for scans in (front, rear)]
+    assert recorded == [list(range(22)), list(range(7, 22))], recorded
+    begins_s = [scan["host_time_s"] - 0.1 * k for scans, ks in zip((front, rear), recorded)
+                for scan, k in zip(scans, ks)]
+    assert max(begins_s) - min(begins_s) < 0.002, begins_s
+
+
 def main(scipd, scenes):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -131,6 +154,7 @@ def main(scipd, scenes):
         wrong = subprocess.run([scipd, "--config", str(configuration)], capture_output=True, text=True,
                                timeout=PATIENCE_S, check=False)
         assert wrong.returncode == 2 and "needs clock: poses" in wrong.stderr, wrong
+        keeps_two_in_step(scipd, folder)
     print("recorded and computed scans are on one line of stamps")
 
 

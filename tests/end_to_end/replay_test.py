@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import socket
 import subprocess
 import sys
 import tempfile
@@ -24,11 +25,11 @@ MODELS = ["URG-04LX", "UTM-30LX", "UST-10LX", "UTM-30LX-EW", "UHG-08LX"]
 
 
 class Scipd:
-    def __init__(self, scipd, folder, *options):
+    def __init__(self, scipd, folder, *options, tcp="127.0.0.1:0"):
         self.folder = pathlib.Path(folder)
         self.errors = open(self.folder / "stderr", "w")
         self.process = subprocess.Popen(
-            [scipd, *options, "--tcp", "127.0.0.1:0", "--pty", "auto", "--timing", "ideal"], stdout=subprocess.PIPE,
+            [scipd, *options, *(["--tcp", tcp] if tcp else []), "--pty", "auto", "--timing", "ideal"], stdout=subprocess.PIPE,
             stderr=self.errors, env={**os.environ, "XDG_RUNTIME_DIR": str(folder)})
         line = self.process.stdout.readline()
         assert line, (self.folder / "stderr").read_text()
@@ -95,7 +96,7 @@ def can_be_steered(recording, programs, folder):
         return json.loads(done.stdout)
 
     with Scipd(scipd, folder, "--replay", str(recording), "--loop", "on"):
-        assert replay()["state"] == "playing"
+        assert replay()["state"] == "waiting"
         assert replay("pause")["state"] == "paused"
         at = replay("robot/scanner", "seek", "0.1")
         assert at["state"] == "paused" and abs(at["at_s"] - 0.1) < 0.11, at
@@ -116,7 +117,7 @@ def begins_where_it_is_told(programs, folder):
         "host_time_s": 1000.5 + i, "stamp_ms": 1000 * i, "model": "UST-10LX", "first_step": 0,
         "first_angle_rad": -540 * step, "angle_increment_rad": step, "distances_mm": [1000 + i] * 1081}) + "\n"
         for i in range(60)))
-    for from_s, scan, state in [(30, 2, "playing"), (0, 0, "playing"), (1000, None, None)]:
+    for from_s, scan, state in [(30, 2, "waiting"), (0, 0, "waiting"), (1000, None, None)]:
         (folder / "slow.yaml").write_text(json.dumps({"robots": {"robot": {"sensors": {"scanner": {
             "replay": {"file": "slow.jsonl", "from_s": from_s}, "pty": "none", "tcp": "127.0.0.1:0"}}}}}))
         if scan is None:
@@ -203,6 +204,50 @@ def has_any_fan(programs, folder):
     assert "distances up to 150 m" in log, log
 
 
+def two_scanners(folder, scans=40):
+    """A bag of a front scanner and a rear one that was switched on 0.7 s later, at 10 Hz: scan i of the log has
+    1000 + 10 i mm."""
+    begin_ns = foreign.BEGIN_S * 10**9
+
+    def message(topic, i):
+        stamp = begin_ns + i * 100_000_000
+        return topic, "sensor_msgs/LaserScan", stamp, foreign.ros1_scan(stamp, [1 + i / 100] * 541, (),
+                                                                       (-math.pi / 2, math.pi / 540))
+
+    (folder / "two.bag").write_bytes(foreign.bag([
+        [message("/front/scan", i)] + ([message("/rear/scan", i)] if i >= 7 else []) for i in range(scans)]))
+    return folder / "two.bag"
+
+
+def serves_all_scanners(programs, folder):
+    """Each on a port of its own. The first client gets the first scan, and the other scanner is 0.7 s behind."""
+    scipd, scipcat, *_ = programs
+    with Scipd(scipd, folder, "--replay", str(two_scanners(folder)), "--control", str(folder / "s")) as player:
+        sensors = {sensor["name"]: sensor for sensor in player.ready["sensors"]}
+        assert list(sensors) == ["robot/front_scan", "robot/rear_scan"], player.ready
+        assert len({sensor["tcp"] for sensor in sensors.values()} | {s["pty"] for s in sensors.values()}) == 4, sensors
+        control = Control(folder / "s")
+        states = [control.ask("GET", f"/sensors/{name}/replay")[1] for name in sensors]
+        assert [state["state"] for state in states] == ["waiting"] * 2, states
+        done = subprocess.run([scipcat, "record", "tcp://" + sensors["robot/front_scan"]["tcp"], "-o",
+                               str(folder / "front.jsonl"), "-n", "3"], capture_output=True, text=True,
+                              timeout=PATIENCE_S, check=False)
+        assert done.returncode == 0, done.stderr
+        read = [json.loads(line)["distances_mm"][270] for line in (folder / "front.jsonl").read_text().splitlines()]
+        assert read == [1000, 1010, 1020], read
+        front, rear = (control.ask("GET", f"/sensors/{name}/replay")[1] for name in sensors)
+        assert rear["state"] != "waiting", rear
+        control.request("GET", "/configuration")
+        saved = control.getresponse().read().decode()
+        assert "/rear/scan" in saved, saved
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        low = probe.getsockname()[1]
+    with Scipd(scipd, folder, "--replay", str(folder / "two.bag"), "--tcp", f"127.0.0.1:{low}", tcp=None) as player:
+        ports = [int(sensor["tcp"].rsplit(":", 1)[1]) for sensor in player.ready["sensors"]]
+        assert ports == [low, low + 1], ports
+
+
 def refuses_what_is_none(programs, folder):
     scipd = programs[0]
     for name, text, advice in [("a.txt", "hello\n", "a.txt"), ("empty.jsonl", "", "empty.jsonl")]:
@@ -223,6 +268,7 @@ def main(*programs):
         begins_where_it_is_told(programs, pathlib.Path(folder))
         has_codes_again(programs, pathlib.Path(folder))
         has_any_fan(programs, pathlib.Path(folder))
+        serves_all_scanners(programs, pathlib.Path(folder))
     print("recorded scans come again")
 
 

@@ -228,7 +228,7 @@ TEST_F(TruthTest, IsUnknownWhereTheScannerPlaysARecording) {
         taped.intensity[0] = 321;
         tape->add(taped, 7, {});
         tape->end(25ms);
-        device.play(tape, {.file = "/home/lap.mcap"});
+        device.play(track_of(tape), {.files = {"/home/lap.mcap"}});
         client_ = device.connect([] {}, protocol::LinkKind::network);
         client_->receive("MD0000108000000\n");
         const std::int64_t revolution = device.next_revolution();

@@ -22,107 +22,141 @@ SharedTape three_scans() {
     return tape;
 }
 
-std::size_t scan_at(const Replay& replay, std::int64_t turn) {
-    return replay.at({turn}).value().scan;
+Replay replay_of(const SharedTape& tape, const ReplayConfig& config = {}) {
+    return {track_of(tape), config};
+}
+
+/// Its first client comes at 0 s.
+Replay begun(const ReplayConfig& config = {}) {
+    Replay replay = replay_of(three_scans(), config);
+    replay.begin(0s);
+    return replay;
+}
+
+ReplayTurn turn(sim::Time begins) {
+    return {.begins = begins, .stamp = 1000s + begins};
+}
+
+std::size_t scan_at(const Replay& replay, sim::Time begins) {
+    return replay.at(turn(begins)).value().scan;
 }
 
 TEST(Replay, ShowsScanAfterScanAndThenNone) {
-    const Replay replay(three_scans(), {});
-    EXPECT_EQ(scan_at(replay, 0), 0U);
-    EXPECT_EQ(replay.at({2})->stamp_ms, 1075U);
-    EXPECT_FALSE(replay.at({3}));
-    EXPECT_EQ(replay.lasts({1}), 50ms);
-    EXPECT_EQ(replay.status({3}).state, "over");
-    EXPECT_EQ(replay.status({2}).state, "playing");
-    EXPECT_EQ(replay.status({2}).at, 75ms);
-    EXPECT_EQ(replay.status({2}).duration, 100ms);
+    const Replay replay = begun();
+    EXPECT_EQ(scan_at(replay, 0ms), 0U);
+    EXPECT_EQ(replay.at(turn(75ms))->stamp_ms, 1075U);
+    EXPECT_FALSE(replay.at(turn(100ms)));
+    EXPECT_EQ(replay.lasts(turn(25ms)), 50ms);
+    EXPECT_EQ(replay.status(turn(100ms)).state, "over");
+    EXPECT_EQ(replay.status(turn(75ms)).state, "playing");
+    EXPECT_EQ(replay.status(turn(75ms)).at, 75ms);
+    EXPECT_EQ(replay.status(turn(75ms)).duration, 100ms);
+}
+
+TEST(Replay, WaitsForItsFirstClient) {
+    Replay replay = replay_of(three_scans());
+    EXPECT_FALSE(replay.at(turn(0s)));
+    EXPECT_EQ(replay.status(turn(10s)).state, "waiting");
+    EXPECT_EQ(replay.status(turn(10s)).scan, 0U);
+    EXPECT_EQ(replay.lasts(turn(10s)), 25ms);
+    replay.begin(10s);
+    replay.begin(20s);
+    EXPECT_EQ(scan_at(replay, 10s), 0U);
+    EXPECT_EQ(scan_at(replay, 10s + 25ms), 1U);
+}
+
+TEST(Replay, CanBeSteeredBeforeItsFirstClient) {
+    Replay replay = replay_of(three_scans());
+    EXPECT_EQ(replay.steer({.at = 30ms}, turn(5s)).state, "waiting");
+    replay.begin(10s);
+    EXPECT_EQ(scan_at(replay, 10s), 1U);
+    Replay played = replay_of(three_scans());
+    EXPECT_EQ(played.steer({.paused = false}, turn(5s)).state, "playing");
+    EXPECT_EQ(scan_at(played, 5s), 0U);
 }
 
 TEST(Replay, HasTheRecordedStampsAgainInEachRound) {
-    const Replay replay(three_scans(), {.loop = ReplayLoop::again});
-    EXPECT_EQ(scan_at(replay, 3), 0U);
-    EXPECT_EQ(replay.at({3})->stamp_ms, 1000U);
-    EXPECT_EQ(scan_at(replay, 302), 2U);
+    const Replay replay = begun({.loop = ReplayLoop::again});
+    EXPECT_EQ(scan_at(replay, 100ms), 0U);
+    EXPECT_EQ(replay.at(turn(100ms))->stamp_ms, 1000U);
+    EXPECT_EQ(scan_at(replay, 10'075ms), 2U);
 }
 
 TEST(Replay, LetsStampsGoOnFromRoundToRound) {
-    const Replay replay(three_scans(), {.loop = ReplayLoop::on});
-    EXPECT_EQ(replay.at({3})->stamp_ms, 1100U);
-    EXPECT_EQ(replay.at({7})->stamp_ms, 1225U);
-    EXPECT_EQ(replay.at({3 * 200'000})->stamp_ms, (1000U + 20'000'000U) & 0xFFFFFFU);
+    const Replay replay = begun({.loop = ReplayLoop::on});
+    EXPECT_EQ(replay.at(turn(100ms))->stamp_ms, 1100U);
+    EXPECT_EQ(replay.at(turn(225ms))->stamp_ms, 1225U);
+    EXPECT_EQ(replay.at(turn(20'000s))->stamp_ms, (1000U + 20'000'000U) & 0xFFFFFFU);
 }
 
 TEST(Replay, BeginsWhereItIsToldAndGoesFaster) {
-    const Replay replay(three_scans(), {.speed = 2.0, .from = 30ms});
-    EXPECT_EQ(scan_at(replay, 0), 1U);
-    EXPECT_EQ(replay.lasts({0}), 25ms);
+    const Replay replay = begun({.speed = 2.0, .from = 25ms});
+    EXPECT_EQ(scan_at(replay, 0ms), 1U);
+    EXPECT_EQ(replay.lasts(turn(0ms)), 25ms);
 }
 
 TEST(Replay, RestsWhileItIsPaused) {
-    Replay replay(three_scans(), {.loop = ReplayLoop::again});
-    replay.steer({.paused = true}, {1});
-    EXPECT_EQ(scan_at(replay, 0), 0U);
-    EXPECT_FALSE(replay.at({1}));
-    EXPECT_FALSE(replay.at({500}));
-    EXPECT_EQ(replay.status({500}).state, "paused");
-    replay.steer({.paused = false}, {500});
-    EXPECT_EQ(scan_at(replay, 500), 1U);
-    EXPECT_EQ(scan_at(replay, 501), 2U);
+    Replay replay = begun({.loop = ReplayLoop::again});
+    replay.steer({.paused = true}, turn(25ms));
+    EXPECT_EQ(scan_at(replay, 0ms), 0U);
+    EXPECT_FALSE(replay.at(turn(25ms)));
+    EXPECT_FALSE(replay.at(turn(10s)));
+    EXPECT_EQ(replay.status(turn(10s)).state, "paused");
+    replay.steer({.paused = false}, turn(10s));
+    EXPECT_EQ(scan_at(replay, 10s), 1U);
+    EXPECT_EQ(scan_at(replay, 10s + 50ms), 2U);
 }
 
 TEST(Replay, GoesOnByStepsAndSeeks) {
-    Replay replay(three_scans(), {.loop = ReplayLoop::again});
-    replay.steer({.step = 2}, {10});
-    EXPECT_EQ(scan_at(replay, 10), 1U);
-    EXPECT_EQ(scan_at(replay, 11), 2U);
-    EXPECT_FALSE(replay.at({12}));
-    replay.steer({.step = 1}, {40});
-    EXPECT_EQ(scan_at(replay, 40), 0U);
-    replay.steer({.at = 80ms, .paused = false}, {50});
-    EXPECT_EQ(scan_at(replay, 50), 2U);
+    Replay replay = begun({.loop = ReplayLoop::again});
+    replay.steer({.step = 2}, turn(325ms));
+    EXPECT_EQ(scan_at(replay, 325ms), 1U);
+    EXPECT_EQ(scan_at(replay, 375ms), 2U);
+    EXPECT_FALSE(replay.at(turn(400ms)));
+    replay.steer({.step = 1}, turn(1s));
+    EXPECT_EQ(scan_at(replay, 1s), 0U);
+    replay.steer({.at = 80ms, .paused = false}, turn(2s));
+    EXPECT_EQ(scan_at(replay, 2s), 2U);
 }
 
 TEST(Replay, AnswersAStepWithTheStatusBehindIt) {
-    Replay replay(three_scans(), {});
-    const ReplayStatus stepped = replay.steer({.step = 2}, {0});
+    Replay replay = begun();
+    const ReplayStatus stepped = replay.steer({.step = 2}, turn(0ms));
     EXPECT_EQ(stepped.state, "paused");
     EXPECT_EQ(stepped.scan, 2U);
-    EXPECT_EQ(replay.status({0}).state, "playing") << "until its scans have been shown";
-    EXPECT_EQ(replay.status({2}).scan, stepped.scan);
-    EXPECT_EQ(replay.steer({.step = 5}, {2}).state, "over");
-    const ReplayStatus sought = replay.steer({.at = 0ms, .paused = false}, {20});
+    EXPECT_EQ(replay.status(turn(0ms)).state, "playing") << "until its scans have been shown";
+    EXPECT_EQ(replay.status(turn(75ms)).scan, stepped.scan);
+    EXPECT_EQ(replay.steer({.step = 5}, turn(75ms)).state, "over");
+    const ReplayStatus sought = replay.steer({.at = 0ms, .paused = false}, turn(2s));
     EXPECT_EQ(sought.state, "playing");
     EXPECT_EQ(sought.scan, 0U);
 }
 
-ReplayTurn turn_at(sim::Time begins) {
-    return {0, begins};
-}
-
 TEST(Replay, FollowsTheLineOfStamps) {
-    const Replay replay(three_scans(), {.begins = 1000s});
-    EXPECT_FALSE(replay.at(turn_at(0s)));
-    EXPECT_EQ(replay.lasts(turn_at(0s)), 25ms);
-    EXPECT_FALSE(replay.at(turn_at(999'960ms)));
-    EXPECT_EQ(replay.lasts(turn_at(999'960ms)), 40ms);  // so that the next one begins in time
-    EXPECT_EQ(replay.at(turn_at(1000s))->scan, 0U);
-    EXPECT_EQ(replay.lasts(turn_at(1000s)), 25ms);
-    EXPECT_EQ(replay.at(turn_at(1000'025ms))->stamp_ms, 1025U);
-    EXPECT_FALSE(replay.at(turn_at(1000'050ms)));  // the second scan took twice as long
-    EXPECT_EQ(replay.lasts(turn_at(1000'050ms)), 25ms);
-    EXPECT_EQ(replay.at(turn_at(1000'075'400us))->scan, 2U);
-    EXPECT_FALSE(replay.at(turn_at(1000'100ms)));
-    EXPECT_EQ(replay.status(turn_at(1000'100ms)).state, "over");
-    EXPECT_EQ(replay.lasts(turn_at(2000s)), 25ms);
+    const Replay replay = replay_of(three_scans(), {.begins_s = 1000s});
+    EXPECT_FALSE(replay.at(turn(-1000s)));
+    EXPECT_EQ(replay.lasts(turn(-1000s)), 25ms);
+    EXPECT_FALSE(replay.at(turn(-40ms)));
+    EXPECT_EQ(replay.lasts(turn(-40ms)), 40ms);  // so that the next one begins in time
+    EXPECT_EQ(replay.at(turn(0s))->scan, 0U);
+    EXPECT_EQ(replay.lasts(turn(0s)), 25ms);
+    EXPECT_EQ(replay.at(turn(25ms))->stamp_ms, 1025U);
+    EXPECT_FALSE(replay.at(turn(50ms)));  // the second scan took twice as long
+    EXPECT_EQ(replay.lasts(turn(50ms)), 25ms);
+    EXPECT_EQ(replay.at(turn(75'400us))->scan, 2U);
+    EXPECT_FALSE(replay.at(turn(102ms)));
+    EXPECT_EQ(replay.status(turn(102ms)).state, "over");
+    EXPECT_EQ(replay.lasts(turn(1000s)), 25ms);
 }
 
 TEST(Replay, FollowsTheLineOfStampsInEachRoundAndAsFastAsItIsTold) {
-    const Replay replay(three_scans(), {.loop = ReplayLoop::on, .speed = 2.0, .begins = 1000s});
-    EXPECT_FALSE(replay.at(turn_at(999s)));
-    EXPECT_EQ(replay.at(turn_at(1000'037'500us))->scan, 2U);
-    EXPECT_EQ(replay.lasts(turn_at(1000'037'500us)), 12'500us);
-    EXPECT_EQ(replay.at(turn_at(1000'050ms))->scan, 0U);
-    EXPECT_EQ(replay.at(turn_at(1000'050ms))->stamp_ms, 1100U);
+    const Replay replay =
+        replay_of(three_scans(), {.loop = ReplayLoop::on, .speed = 2.0, .begins_s = 1000s});
+    EXPECT_FALSE(replay.at(turn(-1s)));
+    EXPECT_EQ(replay.at(turn(37'500us))->scan, 2U);
+    EXPECT_EQ(replay.lasts(turn(37'500us)), 12'500us);
+    EXPECT_EQ(replay.at(turn(50ms))->scan, 0U);
+    EXPECT_EQ(replay.at(turn(50ms))->stamp_ms, 1100U);
 }
 
 TEST(Replay, BeginsWhenItWasRecorded) {
@@ -130,16 +164,34 @@ TEST(Replay, BeginsWhenItWasRecorded) {
     tape->set_recorded(1'700'000'000s);
     tape->add({{100}, {0}, {}}, 1000, 0ms);
     tape->end(25ms);
-    const Replay replay(tape, {.begins = AsRecorded{}});
-    EXPECT_FALSE(replay.at(turn_at(0s)));
-    EXPECT_EQ(replay.at(turn_at(1'700'000'000s))->scan, 0U);
+    const Replay replay = replay_of(tape, {.begins_s = AsRecorded{}});
+    EXPECT_FALSE(replay.at(turn(-1000s)));
+    EXPECT_EQ(replay.at(turn(1'699'999'000s))->scan, 0U);
 }
 
 TEST(Replay, LeavesTheLineOfStampsWhenItIsSteered) {
-    Replay replay(three_scans(), {.begins = 1000s});
-    replay.steer({.at = 75ms}, {40, 1000'030ms});
-    EXPECT_EQ(replay.at({40, 1000'030ms})->scan, 2U);
-    EXPECT_FALSE(replay.at({41, 1000'055ms}));
+    Replay replay = replay_of(three_scans(), {.begins_s = 1000s});
+    replay.steer({.at = 75ms}, turn(30ms));
+    EXPECT_EQ(replay.at(turn(30ms))->scan, 2U);
+    EXPECT_FALSE(replay.at(turn(55ms)));
+}
+
+// The rear scanner was switched on 3.512 s later, and the log goes on for a second after both.
+TEST(Replay, KeepsTheDistanceOfTheScannersOfALog) {
+    const auto line = std::make_shared<LogLine>(std::nullopt, 4612ms);
+    const ReplayConfig config{.loop = ReplayLoop::again};
+    Replay front({.tape = three_scans(), .line = line}, config);
+    const Replay rear({.tape = three_scans(), .lead = 3512ms, .line = line}, config);
+    front.begin(20s);
+    EXPECT_EQ(scan_at(front, 20s), 0U);
+    EXPECT_FALSE(rear.at(turn(20s)));
+    EXPECT_EQ(rear.status(turn(20s)).state, "playing");
+    EXPECT_EQ(rear.lasts(turn(20s + 3470ms)), 42ms);
+    EXPECT_EQ(scan_at(rear, 20s + 3512ms), 0U);
+    EXPECT_EQ(scan_at(rear, 20s + 3587ms), 2U);
+    EXPECT_FALSE(front.at(turn(20s + 3512ms)));
+    EXPECT_EQ(scan_at(front, 20s + 4612ms), 0U);
+    EXPECT_EQ(scan_at(rear, 20s + 4612ms + 3537ms), 1U);
 }
 
 }  // namespace
