@@ -37,9 +37,7 @@ scipd_exports(
           protocol/device_state.h
           protocol/family.h
           protocol/gate.h
-          protocol/io_words.h
           protocol/line_reader.h
-          protocol/rare_code.h
           protocol/refusal.h
           protocol/reply.h
           protocol/request.h
@@ -92,7 +90,6 @@ scipd_exports(
           sim/loaders/file/load_limits.h
           sim/loaders/file/loaded_scene.h
           sim/loaders/file/new_model.h
-          sim/loaders/map/map_options.h
           sim/loaders/materials/materials_file.h
           sim/loaders/mesh/mesh_file.h
           sim/loaders/poses/trajectory.h
@@ -108,7 +105,6 @@ scipd_exports(
           sim/backends/registry.h
           # what looks at it: begin with sensor/scanner.h
           sim/sensor/aggregation.h
-          sim/sensor/beam_cone.h
           sim/sensor/beam_pattern.h
           sim/sensor/curve.h
           sim/sensor/echo.h
@@ -116,7 +112,6 @@ scipd_exports(
           sim/sensor/footprint.h
           sim/sensor/noise_law.h
           sim/sensor/per_beam.h
-          sim/sensor/pinhole_grid.h
           sim/sensor/reading.h
           sim/sensor/scan.h
           sim/sensor/scan_timing.h
@@ -124,7 +119,7 @@ scipd_exports(
           sim/sensor/sensor_spec.h
           sim/sensor/spec_curves.h
           sim/sensor/staring.h
-          sim/sensor/steady_error.h)
+          sim/sensor/unit_bias.h)
 
 scipd_exports(
   testing

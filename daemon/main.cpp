@@ -19,7 +19,6 @@
 #include "daemon/config/address.h"
 #include "daemon/program/parse_options.h"
 #include "daemon/server.h"
-#include "daemon/service/journal.h"
 #include "daemon/service/logging.h"
 #include "daemon/service/service_notify.h"
 #include "sim/backends/depth.h"

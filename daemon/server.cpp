@@ -17,7 +17,7 @@
 #include "daemon/api/routes.h"
 #include "daemon/config/config_file.h"
 #include "daemon/config/run_directory.h"
-#include "daemon/link/leftovers.h"
+#include "daemon/link/path_hold.h"
 #include "daemon/plan/config_changes.h"
 #include "daemon/rig/served.h"
 #include "daemon/rig/simulation.h"

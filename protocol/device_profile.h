@@ -12,11 +12,21 @@
 
 #include "protocol/family.h"
 #include "protocol/gate.h"
-#include "protocol/rare_code.h"
 #include "protocol/status.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
+
+/// A code that now and then stands where another mostly does.
+struct RareCode {
+    std::uint32_t code = 0;
+    double inside = 0.0;  ///< its share of the steps without a distance whose neighbours have none
+    double beside = 0.0;  ///< of those beside a distance
+    double edge = 0.0;    ///< of those where two surfaces in one beam contradict each other
+    bool alone = false;   ///< never at two steps side by side; others come in runs of four inside
+
+    bool operator==(const RareCode&) const = default;
+};
 
 /// How II spells the clock.
 enum class TimeSpelling {

@@ -23,12 +23,17 @@
 #include <optional>
 #include <vector>
 
-#include "protocol/io_words.h"
 #include "protocol/settings.h"
 #include "protocol/state.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
+
+/// The wires beside the link, as GF, GG, MF and MG show them: 18 bits each.
+struct IoWords {
+    std::uint32_t inputs = 0;
+    std::uint32_t outputs = 0;
+};
 
 class DeviceState {
   public:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What requests, replies and statuses mean, in words for people who read along. Pure; any thread.
+// Requests, replies and statuses in words, of SCIP 2.0 and 1.1, for people who read along. Pure;
+// any thread.
 #pragma once
 
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "protocol/command.h"
 #include "protocol/request.h"
+#include "protocol/scip1.h"
 #include "protocol/status.h"
 
 namespace scipd::protocol {
@@ -24,5 +26,15 @@ namespace scipd::protocol {
 /// What the status means in a reply to this command. Null: a command that the model does not know.
 /// Empty: it means nothing that is known.
 [[nodiscard]] std::string_view status_words(const Command* command, Status status);
+
+/// Describes a request: "requests one scan, steps 44 to 725". Empty: SCIP 1.1 has no such request,
+/// or not with these parameters.
+[[nodiscard]] std::string scip1_request_words(const Scip1Request& request);
+
+/// Describes the reply with this echo and status: "returns the version", "not carried out".
+[[nodiscard]] std::string_view scip1_reply_words(const Scip1Request& echo, char status);
+
+/// What the status means. Empty: it means nothing that is known.
+[[nodiscard]] std::string_view scip1_status_words(char status);
 
 }  // namespace scipd::protocol

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How well a scanner reads, as JSON: what PATCH /sensors/R/S takes and what the status shows.
+// The bodies of requests for a new sensor and for the reading errors of a scanner, and those
+// errors as the status shows them. The values are read as those of a configuration are. Any
+// thread; nothing shared.
 #pragma once
 
 #include <string>
 
 #include "daemon/api/documents.h"
+#include "daemon/config/added_sensor.h"
 #include "daemon/config/reading_errors.h"
 #include "sim/expected.h"
 
@@ -17,5 +20,11 @@ namespace scipd::daemon {
                                                         const ReadingErrors& now);
 
 [[nodiscard]] Json errors_document(const ReadingErrors& errors);
+
+/// Faults name the member.
+sim::Expected<AddedSensor> parse_new_sensor(const std::string& body);
+
+/// Whether it names a file of this machine, which nobody may do over the API; the fault says so.
+sim::Expected<> check_files(const AddedSensor& sensor);
 
 }  // namespace scipd::daemon

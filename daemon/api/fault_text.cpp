@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/api/fault_text.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace scipd::daemon {
@@ -17,6 +18,9 @@ Json head_document(const FaultLogEntry& entry) {
             {"request", entry.request.empty() ? Json(nullptr) : Json(entry.request)},
             {"time_s", seconds(entry.told)}};
 }
+
+/// In one message: nobody reads more between two looks. Their numbers tell what is left out.
+constexpr std::size_t most_events = 64;
 
 }  // namespace
 
@@ -74,6 +78,22 @@ Json scenario_document(const ScenarioStatus& scenario) {
                          {"hits", fault.hits}});
     }
     return {{"name", scenario.name}, {"state", scenario.state}, {"steps", std::move(steps)}};
+}
+
+bool FaultNews::add(const std::string& event) {
+    events_.push_back(event);
+    if (events_.size() > most_events) events_.pop_front();
+    return !told_ && look();
+}
+
+bool FaultNews::look() {
+    told_ = !events_.empty();
+    if (!told_) return false;
+    std::string message;
+    for (const std::string& event : std::exchange(events_, {}))
+        message += (message.empty() ? R"({"faults":[)" : ",") + event;
+    messages_.add(source_, message + "]}");
+    return true;
 }
 
 }  // namespace scipd::daemon

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Faults on purpose as JSON, as users get them. Any thread; nothing shared.
+// Injected faults as JSON: the documents of the API, and the messages {"faults":[...]} to pages,
+// each made once for all of them. Any thread; nothing shared.
 #pragma once
 
+#include <deque>
+#include <memory>
 #include <string>
 
 #include "daemon/api/documents.h"
 #include "daemon/faults/fault_kind.h"
 #include "daemon/faults/fault_log.h"
 #include "daemon/faults/scenario_run.h"
+#include "daemon/http/backlog.h"
 
 namespace scipd::daemon {
 
@@ -32,5 +36,25 @@ std::string fault_event(const std::string& sensor, const FaultLogEntry& entry);
 
 /// {"name","state","steps":[{"step","sensor","id","kind","state","hits"}]}
 Json scenario_document(const ScenarioStatus& scenario);
+
+class FaultNews {
+  public:
+    /// Takes a fault_event(). Whether that made a message.
+    bool add(const std::string& event);
+    /// Makes a message of what has come since the last one, if anything has.
+    bool look();
+
+    /// As those of a backlog.
+    [[nodiscard]] const Backlog::Message* from(Backlog::Number& number) const {
+        return messages_.from(number);
+    }
+    [[nodiscard]] Backlog::Number end() const { return messages_.end(); }
+
+  private:
+    std::deque<std::string> events_;
+    bool told_ = false;  ///< since the last look
+    Backlog messages_{[](Backlog::Number, const Backlog::Message&) {}};
+    std::shared_ptr<Backlog::Source> source_ = std::make_shared<Backlog::Source>();
+};
 
 }  // namespace scipd::daemon

@@ -13,7 +13,7 @@
 
 #include "daemon/api/object_text.h"
 #include "daemon/config/values.h"
-#include "sim/sensor/steady_error.h"
+#include "sim/sensor/unit_bias.h"
 
 namespace scipd::daemon {
 namespace {

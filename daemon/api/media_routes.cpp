@@ -4,8 +4,8 @@
 // What fills the air of the world.
 #include <utility>
 
-#include "daemon/api/media_request.h"
 #include "daemon/api/pose_routes.h"
+#include "daemon/api/scene_edit_request.h"
 #include "daemon/http/problem.h"
 
 namespace scipd::daemon {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "daemon/api/documents.h"
-#include "daemon/api/new_sensor_request.h"
+#include "daemon/api/errors_request.h"
 #include "daemon/api/pose_routes.h"
 #include "daemon/api/route_handlers.h"
 #include "daemon/config/sensor_config.h"

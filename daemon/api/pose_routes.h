@@ -7,8 +7,10 @@
 #include <functional>
 #include <string>
 
+#include "daemon/api/api.h"
 #include "daemon/api/documents.h"
 #include "daemon/api/route_handlers.h"
+#include "daemon/http/web_socket.h"
 #include "sim/expected.h"
 #include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/trajectory.h"
@@ -25,5 +27,8 @@ sim::Expected<sim::PoseLine> pose_in(const Call& call, const char* kind);
 HttpResponse bad_request(const sim::Fault& fault);
 /// 204, 429 where the client sends too many, or 409 where the world has refused it.
 HttpResponse placed(const Call& call, const std::function<sim::Expected<>()>& place);
+
+/// `api` must outlive the conversation.
+std::unique_ptr<Conversation> take_poses(Api& api, WebSocket& socket);
 
 }  // namespace scipd::daemon

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "daemon/api/pose_socket.h"
+#include "daemon/api/pose_routes.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/url.h"
 

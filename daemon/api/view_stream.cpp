@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "daemon/api/view_request.h"
-#include "daemon/api/world_motion.h"
+#include "daemon/api/world_view.h"
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
 #include "daemon/http/problem.h"

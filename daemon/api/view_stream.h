@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/api/fault_news.h"
+#include "daemon/api/fault_text.h"
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/view_frame.h"
 #include "daemon/api/world_view.h"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The world as a page draws it: what is there, and where all of it is now. A value; any thread.
+// The world as a page draws it: its objects and their present poses; and the poses that one page
+// knows, so that only motion is sent. Values; a WorldMotion lives on the I/O thread.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,22 @@ struct WorldView {
     sim::Time time{};
     std::vector<sim::Pose> models;  ///< by ModelId
     std::vector<RobotView> robots;
+};
+
+/// The poses that one page knows.
+class WorldMotion {
+  public:
+    /// {"scene": version} where that is not the one it was told of last: what is there is another
+    /// one, and all that can move counts as moved.
+    std::optional<std::string> news(const WorldView& now);
+    /// {"time_s", "robots": {NAME: {"xyz","q"}}, "models": {..}} of all that has moved since it was
+    /// told last; nothing has, nothing is told.
+    std::optional<std::string> moved(const WorldView& now);
+
+  private:
+    std::string version_;
+    std::vector<std::optional<sim::Pose>> models_;  ///< as told, by ModelId
+    std::vector<std::optional<sim::Pose>> robots_;
 };
 
 }  // namespace scipd::daemon

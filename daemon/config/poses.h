@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Reads where a robot is: its start under `pose`, and under `poses` where its live poses come from
-// and what holds where there are none. Any thread; nothing shared.
+// Reads the start of a robot (`pose`), the source of its live poses (`poses`, in a file or on the
+// command line), and the policy where there are none. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "daemon/config/claims.h"
 #include "daemon/config/config.h"
+#include "sim/expected.h"
 #include "sim/loaders/yaml/yaml_section.h"
 
 namespace scipd::daemon {
+
+/// udp:ADDR:PORT, gz:[/TOPIC], ros2:/TOPIC, rosbridge:ws://HOST:PORT/TOPIC,
+/// vda5050:MANUFACTURER[/SERIAL], - or a file that exists.
+sim::Expected<PoseSource> parse_pose_source(std::string_view text,
+                                            const std::filesystem::path& base);
+
+/// As a user names it.
+std::string text_of(const PoseSource& source);
 
 /// What xyz and rpy of this section say; each is zeros where it is left out. Angles that look like
 /// degrees are a warning.

@@ -13,7 +13,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "daemon/config/media.h"
-#include "daemon/config/pose_source.h"
+#include "daemon/config/poses.h"
 #include "daemon/config/reading_errors.h"
 #include "daemon/config/values.h"
 

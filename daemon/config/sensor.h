@@ -11,6 +11,7 @@
 
 #include "daemon/config/claims.h"
 #include "daemon/config/models.h"
+#include "daemon/config/replay_config.h"
 #include "daemon/config/sensor_config.h"
 #include "sim/expected.h"
 #include "sim/loaders/yaml/yaml_section.h"
@@ -32,5 +33,17 @@ struct SensorContext {
                                              const protocol::DeviceProfile& profile);
 
 SensorConfig read_sensor(const sim::YamlField& field, SensorContext& context);
+
+/// A file, a list of them, or a map {file, stream, loop, speed, from_s}. Files are relative to
+/// `base`.
+[[nodiscard]] ReplayConfig read_replay(const sim::YamlField& field,
+                                       const std::filesystem::path& base, sim::YamlFaults& faults);
+
+/// A file or folder that is no trajectory by its name.
+[[nodiscard]] sim::Expected<std::filesystem::path> parse_recording(
+    std::string_view text, const std::filesystem::path& base);
+
+/// true, false, or on: the stamps go on from round to round.
+[[nodiscard]] sim::Expected<ReplayLoop> parse_loop(std::string_view text);
 
 }  // namespace scipd::daemon

@@ -3,6 +3,7 @@
 #include "daemon/device/pace.h"
 
 #include <cstdio>
+#include <utility>
 
 #include "sim/backends/registry.h"
 
@@ -29,6 +30,12 @@ std::string remedy(const CastSweep& sweep) {
     if (sweep.backend != preferred)
         text += (text.empty() ? "" : " or ") + ("rays (backend: auto or " + preferred + ")");
     return text.empty() ? "fewer beams or a lower rate" : text;
+}
+
+constexpr std::chrono::seconds apart(10);
+
+std::string counted(std::uint64_t count, const std::string& things) {
+    return std::to_string(count) + " " + things + (count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -58,6 +65,21 @@ std::optional<std::string> Pace::add(const CastSweep& sweep) {
                   milliseconds(mean), milliseconds(sweep.period),
                   mean <= sweep.period ? " beside all else that this machine does," : "");
     return backend_ + text + remedy(sweep);
+}
+
+std::optional<std::string> ScanLosses::add(const std::string& sensor, std::uint64_t lost,
+                                           Time now) {
+    sensors_.insert(sensor);
+    lost_ += lost;
+    if (told_ && now - *told_ < apart) return std::nullopt;
+    told_ = now;
+    const auto sensors = std::exchange(sensors_, {});
+    const std::string who = sensors.size() == 1
+                                ? sensor
+                                : sensor + " and " + counted(sensors.size() - 1, "other sensor");
+    return who + " lost " + counted(std::exchange(lost_, 0), "scan") +
+           ": this machine is too slow for all that is to be cast, or was asleep. If it happens "
+           "again: fewer sensors or beams, a lower rate, or more cores";
 }
 
 }  // namespace scipd::daemon

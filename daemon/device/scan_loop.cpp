@@ -7,7 +7,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/device/scan_losses.h"
+#include "daemon/device/pace.h"
 
 namespace scipd::daemon {
 namespace {

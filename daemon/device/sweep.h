@@ -17,11 +17,21 @@
 #include "daemon/config/config.h"
 #include "daemon/config/named_mount.h"
 #include "daemon/device/measurement.h"
-#include "daemon/device/pose_shift.h"
 #include "daemon/world/world.h"
 #include "sim/sensor/scanner.h"
+#include "sim/time.h"
+#include "sim/world/pose.h"
 
 namespace scipd::daemon {
+
+/// How a fault shifts the poses that a sensor is cast from against those of its robot.
+struct PoseShift {
+    std::optional<sim::Pose> stopped;  ///< the robot stays at this pose
+    sim::Time late{};                  ///< the robot is where it was so long ago
+    sim::Pose jump;  ///< the robot is displaced by this, and turned about itself, in W
+
+    bool operator==(const PoseShift&) const = default;
+};
 
 class Sweep {
   public:

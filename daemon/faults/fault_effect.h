@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "daemon/faults/device_condition.h"
-#include "daemon/link/line_state.h"
+#include "daemon/link/line_hook.h"
 #include "protocol/action.h"
 #include "protocol/request.h"
 #include "protocol/status.h"

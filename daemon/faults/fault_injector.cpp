@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "daemon/device/pose_shift.h"
+#include "daemon/device/sweep.h"
 #include "protocol/session.h"
 
 namespace scipd::daemon {

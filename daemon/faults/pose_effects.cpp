@@ -12,7 +12,7 @@
 
 #include "daemon/config/numbers.h"
 #include "daemon/device/device.h"
-#include "daemon/device/pose_shift.h"
+#include "daemon/device/sweep.h"
 #include "daemon/faults/fault_kind.h"
 #include "daemon/faults/fault_values.h"
 

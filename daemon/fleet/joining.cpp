@@ -11,8 +11,8 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/fleet/identity.h"
 #include "daemon/fleet/shared_world.h"
+#include "daemon/fleet/topics.h"
 #include "daemon/fleet/world_hash.h"
 
 namespace scipd::daemon {

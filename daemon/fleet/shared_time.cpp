@@ -6,7 +6,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/fleet/step.h"
+#include "daemon/fleet/pose_frame.h"
 #include "sim/text/quote.h"
 
 namespace scipd::daemon {

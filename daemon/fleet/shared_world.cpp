@@ -10,7 +10,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/fleet/identity.h"
+#include "daemon/fleet/topics.h"
 
 namespace scipd::daemon {
 

@@ -23,7 +23,6 @@
 #include "daemon/fleet/shared_edits.h"
 #include "daemon/fleet/shared_poses.h"
 #include "daemon/fleet/topics.h"
-#include "daemon/fleet/troubles.h"
 #include "daemon/limits/rate.h"
 #include "daemon/limits/throttle.h"
 #include "daemon/poses/pose_intake.h"

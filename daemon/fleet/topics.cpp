@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdio>
+#include <random>
+
+#include <unistd.h>
 
 namespace scipd::daemon {
 namespace {
@@ -89,6 +93,23 @@ std::optional<Topic> Topics::read(std::string_view topic) const {
     const auto name = unescaped(topic.substr(slash + 1));
     if (!name || name->empty()) return std::nullopt;
     return Topic{row->kind, *name};
+}
+
+std::string host_name() {
+    std::array<char, 65> name{};
+    if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
+    return name.data();
+}
+
+std::string usual_name() {
+    return host_name() + "-" + std::to_string(::getpid());
+}
+
+std::string new_instance() {
+    std::random_device chance;
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%08x%08x", chance(), chance());
+    return digits.data();
 }
 
 }  // namespace scipd::daemon

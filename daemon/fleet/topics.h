@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The names under which daemons speak of one world by way of a broker. Values; any thread.
+// The topics of a shared world, and the identity of this daemon on them. Values; any thread.
 #pragma once
 
 #include <optional>
@@ -9,6 +9,15 @@
 #include <string_view>
 
 namespace scipd::daemon {
+
+std::string host_name();
+
+/// HOST-PID, for a daemon that nobody has given a name.
+std::string usual_name();
+
+/// Another one each time: no two clients of a broker may have the same, since it would throw the
+/// older one out.
+std::string new_instance();
 
 /// What a message is about.
 struct Topic {

@@ -22,11 +22,9 @@
 #include "daemon/link/client_watch.h"
 #include "daemon/link/endpoint.h"
 #include "daemon/link/line_hook.h"
-#include "daemon/link/line_state.h"
 #include "daemon/link/link_counts.h"
 #include "daemon/link/link_model.h"
 #include "daemon/link/outbox.h"
-#include "daemon/link/wire_ear.h"
 
 namespace scipd::daemon {
 

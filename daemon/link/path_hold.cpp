@@ -2,13 +2,17 @@
 // Copyright The scipd authors
 #include "daemon/link/path_hold.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -100,6 +104,41 @@ int locked(const fs::path& path, const fs::path& lock) {
     }
 }
 
+namespace fs = std::filesystem;
+
+/// 4711 in "control-4711.sock" and "robot-scanner-4711". 0: the name has none.
+pid_t process_in(std::string_view name) {
+    if (name.ends_with(".sock")) name.remove_suffix(5);
+    const std::string_view digits = name.substr(name.find_last_of('-') + 1);
+    pid_t process = 0;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), process);
+    const bool whole = end == digits.data() + digits.size() && digits.size() < name.size();
+    return whole && error == std::errc{} ? process : 0;
+}
+
+bool is_gone(pid_t process) {
+    return process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
+}
+
+/// NAME in the lock .NAME.lock.
+std::string_view name_in(std::string_view lock) {
+    if (!lock.starts_with('.') || !lock.ends_with(".lock")) return {};
+    return lock.substr(1, lock.size() - 6);
+}
+
+void remove(const fs::path& path) {
+    std::error_code ignored;
+    try {
+        const PathHold hold(path);  // which removes its lock at the end
+        const auto type = fs::symlink_status(path, ignored).type();
+        if (type == fs::file_type::symlink || type == fs::file_type::socket)
+            fs::remove(path, ignored);
+    } catch (const std::exception&) {
+        // Somebody has it after all, or it is not ours to remove.
+    }
+}
+
 }  // namespace
 
 PathHold::PathHold(const fs::path& path) : lock_(lock_of(path)), descriptor_(locked(path, lock_)) {
@@ -109,6 +148,18 @@ PathHold::PathHold(const fs::path& path) : lock_(lock_of(path)), descriptor_(loc
 PathHold::~PathHold() {
     if (is_still(lock_, descriptor_)) ::unlink(lock_.c_str());
     ::close(descriptor_);
+}
+
+void remove_leftovers(const fs::path& run_directory) {
+    std::vector<fs::path> left;
+    std::error_code error;
+    for (fs::directory_iterator at{run_directory, error}, end; !error && at != end;
+         at.increment(error)) {
+        const std::string lock = at->path().filename();
+        const std::string_view name = name_in(lock);
+        if (is_gone(process_in(name))) left.push_back(run_directory / name);
+    }
+    std::ranges::for_each(left, remove);
 }
 
 }  // namespace scipd::daemon

@@ -33,4 +33,8 @@ class PathHold {
     int descriptor_;
 };
 
+/// Removes those whose process is gone and that nobody holds (path_hold). Leaves all else, and what
+/// it cannot remove.
+void remove_leftovers(const std::filesystem::path& run_directory);
+
 }  // namespace scipd::daemon

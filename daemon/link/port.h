@@ -17,9 +17,7 @@
 #include "daemon/link/connection.h"
 #include "daemon/link/endpoint.h"
 #include "daemon/link/line_hook.h"
-#include "daemon/link/line_state.h"
 #include "daemon/link/link_counts.h"
-#include "daemon/link/wire_ear.h"
 
 namespace scipd::daemon {
 

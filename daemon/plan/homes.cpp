@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "daemon/config/config.h"
+#include "daemon/config/run_directory.h"
 #include "daemon/plan/known_sensors.h"
-#include "daemon/plan/port_keys.h"
 #include "daemon/shards/burdens.h"
 
 namespace scipd::daemon {
@@ -115,6 +115,22 @@ Homes find_homes(const Config& config, const Homes& now, const KnownSensors& kno
         }
     }
     return next;
+}
+
+// Where the system chooses the port, two scanners with the same address have ports of their own.
+PortKeys port_keys(const std::string& robot, const SensorConfig& sensor) {
+    PortKeys keys;
+    if (sensor.tcp) {
+        keys.tcp = "tcp " + text_of(*sensor.tcp);
+        if (sensor.tcp->port == 0) keys.tcp += " of " + sensor_name(robot, sensor.name);
+    }
+    if (sensor.pty) keys.pty = "pty " + link_of(robot, sensor).string();
+    return keys;
+}
+
+std::filesystem::path link_of(const std::string& robot, const SensorConfig& sensor) {
+    const bool is_auto = sensor.pty->link.empty();
+    return is_auto ? run_directory() / tty_name(robot, sensor.name) : sensor.pty->link;
 }
 
 }  // namespace scipd::daemon

@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which shard each sensor of a configuration lives on, and each port with its sensor. Values; any
-// thread.
+// The shard of each sensor of a configuration, and its ports, by keys that stay the same over a
+// reload. Values; any thread.
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <string>
 
 namespace scipd::daemon {
+
+struct SensorConfig;
+
+/// The keys of one sensor; empty where it has no port of the kind.
+struct PortKeys {
+    std::string tcp;
+    std::string pty;
+};
+[[nodiscard]] PortKeys port_keys(const std::string& robot, const SensorConfig& sensor);
+
+/// The link of the sensor's tty, which it has.
+[[nodiscard]] std::filesystem::path link_of(const std::string& robot, const SensorConfig& sensor);
 
 struct Config;
 struct KnownSensor;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Reads recordings into tapes, and finds out of which model a recording is. Any thread; nothing
-// shared.
+// Reads recordings into tapes: finds the model of a recorded scanner, and its values for the steps
+// of that model. Any thread; nothing shared.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -16,6 +17,7 @@
 #include "sim/loaders/file/load_error.h"
 #include "sim/recording/values/recorded_scan.h"
 #include "sim/recording/values/scanner_identity.h"
+#include "sim/sensor/sensor_spec.h"
 
 namespace scipd::daemon {
 
@@ -43,11 +45,18 @@ class SeveralScanners : public sim::LoadError {
 [[nodiscard]] std::vector<std::string> recorded_streams(const ReplayConfig& replay,
                                                         const std::stop_token& stop = {});
 
-/// The scans as this model sends them, from `from` after the first scan on, and a little before. What has no step of its own on the model's wire is left out;
-/// a step that was not recorded has the model's code for nothing. A warning says what the model has
-/// no step or range for. Throws sim::LoadError, also soon after `stop`.
+/// The scans as this model sends them, from a little before `from` on. Values without a step of
+/// their own on the model's wire are left out; a step that was not recorded has the model's code
+/// for nothing. A warning says what the model has no step or range for. Throws sim::LoadError, also
+/// soon after `stop`.
 [[nodiscard]] SharedTape read_tape(const ReplayConfig& replay, const Model& model,
                                    std::vector<std::string>& warnings,
                                    const std::stop_token& stop = {});
+
+/// For each step that the scanner measures, the value of the scan that looks there; nothing: none
+/// does. By SCIP's steps where the recording has them, else by angles, else one by one where there
+/// are as many values as steps. Empty: nobody can tell.
+[[nodiscard]] std::vector<std::optional<std::size_t>> map_of_steps(const sim::RecordedScan& scan,
+                                                                   const sim::SensorSpec& optics);
 
 }  // namespace scipd::daemon

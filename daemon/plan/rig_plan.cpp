@@ -9,8 +9,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/plan/load_materials.h"
-#include "daemon/plan/load_scenario.h"
 #include "daemon/plan/load_world.h"
 #include "daemon/plan/mounting.h"
 #include "daemon/plan/notices.h"

@@ -17,7 +17,7 @@
 #include "daemon/plan/homes.h"
 #include "daemon/plan/known_sensors.h"
 #include "daemon/plan/load_tapes.h"
-#include "daemon/plan/load_trajectories.h"
+#include "daemon/plan/load_world.h"
 #include "daemon/world/edited_scene.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/config/pose_source.h"
+#include "daemon/config/poses.h"
 
 namespace scipd::daemon {
 

@@ -8,7 +8,6 @@
 #include "daemon/command_line/completions.h"
 #include "daemon/models/model_list.h"
 #include "daemon/models/model_registry.h"
-#include "daemon/plan/load_materials.h"
 #include "daemon/plan/load_world.h"
 #include "sim/backends/registry.h"
 #include "sim/export/floor_map.h"

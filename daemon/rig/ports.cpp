@@ -13,7 +13,6 @@
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
 #include "daemon/plan/homes.h"
-#include "daemon/plan/port_keys.h"
 #include "daemon/service/handed_sockets.h"
 #include "daemon/shards/shards.h"
 

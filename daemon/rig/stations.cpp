@@ -11,7 +11,7 @@
 #include "daemon/faults/fault_injector.h"
 #include "daemon/link/port.h"
 #include "daemon/shards/shard.h"
-#include "daemon/wire/wire_log.h"
+#include "daemon/wire/wire_tap.h"
 #include "protocol/ideal.h"
 #include "sim/fnv1a.h"
 #include "sim/random.h"

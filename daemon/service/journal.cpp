@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/service/journal.h"
-
 #include <cstdlib>
 #include <vector>
 
 #include <sys/stat.h>
 #include <sys/uio.h>
 #include <unistd.h>
+
+#include "daemon/service/logging.h"
 #define SD_JOURNAL_SUPPRESS_LOCATION  // which would be this file
 #include <systemd/sd-journal.h>
 

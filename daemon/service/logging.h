@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where logs go and what their lines look like. Whoever logs never waits: a thread writes. Where
-// that thread cannot keep up, or nobody reads, the oldest lines are lost; a line tells how many.
-// Start and finish once, on the main thread, around all that logs.
+// Log files, their lines as text or JSON, and the journal of systemd, whose entries have fields.
+// Logging never blocks: a thread writes. If that thread cannot keep up, or nobody reads, the
+// oldest lines are lost; a line tells how many. Start and finish once, on the main thread, around
+// all that logs.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scipd::daemon {
@@ -28,5 +32,35 @@ void tell_log_of(const std::vector<std::string>& sensors);
 /// does not take it, the thread still waits, and only std::_Exit() ends the program. Nothing is
 /// logged from here on. Called again after false, it waits again.
 bool finish_logging();
+
+/// What is logged. A view that is good for one call.
+struct LogEntry {
+    std::chrono::system_clock::time_point time;
+    std::string_view level;
+    std::string_view message;
+};
+
+using Sensors = std::set<std::string, std::less<>>;
+
+/// The sensor that a message is about: such messages begin with its name and a colon, and it is one
+/// of these. Empty: there is none.
+[[nodiscard]] std::string_view sensor_of(std::string_view message, const Sensors& sensors);
+
+/// {"time","level","sensor","message"} without line end, in plain ASCII. The sensor is no part of
+/// the message there. Messages that are about none have none.
+[[nodiscard]] std::string json_log_line(const LogEntry& entry, const Sensors& sensors);
+
+/// Whether what is written to this descriptor goes to the journal.
+[[nodiscard]] bool leads_to_journal(int descriptor);
+
+/// Severities as syslog(3) has them.
+struct JournalEntry {
+    int priority = 6;
+    std::string message;
+    std::string sensor;  ///< that it is about, for SCIPD_SENSOR; empty: none
+};
+
+/// May wait for the journal. False: it does not take the entry.
+bool write_to_journal(const JournalEntry& entry);
 
 }  // namespace scipd::daemon

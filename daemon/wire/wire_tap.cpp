@@ -4,27 +4,29 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include <spdlog/spdlog.h>
+
 #include "daemon/device/device.h"
+#include "daemon/limits/throttle.h"
+#include "daemon/link/line_hook.h"
 #include "daemon/link/port.h"
-#include "daemon/link/wire_ear.h"
-#include "daemon/wire/wire_entry.h"
 #include "protocol/line_reader.h"
 #include "protocol/request.h"
 #include "protocol/scip1.h"
-#include "protocol/scip1_words.h"
 #include "protocol/status.h"
 #include "protocol/words.h"
 
 namespace scipd::daemon {
-
 namespace {
 
 /// Listens at one port of a scanner, and tells each request and reply in words.
@@ -160,6 +162,22 @@ TakeEntry both(const TakeEntry& first, const TakeEntry& second) {
     };
 }
 
+class WireLog {
+  public:
+    explicit WireLog(std::string scanner) : scanner_(std::move(scanner)) {}
+
+    void take(const WireEntry& entry) {
+        const auto level = entry.scan ? spdlog::level::trace : spdlog::level::debug;
+        if (!spdlog::should_log(level)) return;
+        if (const auto suppressed = throttle_.admit(std::chrono::steady_clock::now()))
+            spdlog::log(level, "{}: {}{}", scanner_, line_of(entry), *suppressed);
+    }
+
+  private:
+    std::string scanner_;
+    Throttle throttle_{500};
+};
+
 }  // namespace
 
 WireTap::WireTap(Device& device, std::vector<std::shared_ptr<Port>> ports, TakeEntry log)
@@ -188,6 +206,20 @@ void WireTap::listen(const TakeEntry& wanted) {
         ears_.push_back(std::make_unique<WireListener>(device_, is_tty ? "tty" : "tcp", take));
         port->set_ear(ears_.back().get());
     }
+}
+
+TakeEntry wire_log(const std::string& scanner) {
+    if (!spdlog::should_log(spdlog::level::debug)) return nullptr;
+    const auto log = std::make_shared<WireLog>(scanner);
+    return [log](const WireEntry& entry) { log->take(entry); };
+}
+
+std::string line_of(const WireEntry& entry) {
+    std::string text = entry.client;
+    if (entry.from_client) return text + " hears " + entry.line + ": " + entry.means;
+    if (!entry.line.empty()) text += " answers " + entry.line;
+    if (!entry.status.empty()) text += " with " + entry.status;
+    return text + ": " + (entry.explains.empty() ? entry.means : entry.explains);
 }
 
 }  // namespace scipd::daemon

@@ -1,16 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Listens to all that is said to a scanner and by it, while somebody wants to hear. Lives on its
-// shard.
+// Observes the traffic of a scanner while somebody wants it, as entries: requests and replies with
+// their meaning, also for the log at `debug`, scans at `trace`. Lives on its shard.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "daemon/wire/wire_entry.h"
+#include "sim/time.h"
 
 namespace scipd::daemon {
+
+/// A request or a reply on the wire, with its meaning.
+struct WireEntry {
+    std::string client;  ///< "tcp" or "tty"
+    sim::Time told{};    ///< as people call the time
+    bool from_client = false;
+    std::string line;  ///< the request, or the echo of the reply
+    std::size_t bytes = 0;
+    std::string means;
+    std::string status = {};    ///< empty: none
+    std::string explains = {};  ///< what the status means here
+    std::optional<std::int64_t> scan = std::nullopt;
+};
+
+using TakeEntry = std::function<void(WireEntry)>;
 
 class Device;
 class Port;
@@ -36,5 +56,11 @@ class WireTap {
     TakeEntry log_;
     std::vector<std::unique_ptr<WireEar>> ears_;  ///< one at each port; empty: nobody listens
 };
+
+/// Null where the log does not tell that much. `scanner` is what the log calls it.
+[[nodiscard]] TakeEntry wire_log(const std::string& scanner);
+
+/// "tcp hears BM: switches the laser on", "tcp answers BM with 02: the laser is on already"
+[[nodiscard]] std::string line_of(const WireEntry& entry);
 
 }  // namespace scipd::daemon

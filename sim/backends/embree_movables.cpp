@@ -11,7 +11,6 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x3.hpp>
 
-#include "sim/backends/embree_geometry.h"
 #include "sim/backends/embree_still.h"
 #include "sim/world/shape.h"
 

@@ -31,4 +31,8 @@ struct EmbreeStill {
 /// Throws std::runtime_error where something has failed since the device was made.
 void require_built(RTCDevice device, const Scene& scene);
 
+/// The triangles of one object, at this pose in the frame of `scene`, under the object's own id.
+void attach(RTCDevice device, RTCScene scene, ObjectId id, const Object& object,
+            const Pose& here_from_object, RTCFilterFunctionN filter = nullptr);
+
 }  // namespace scipd::sim

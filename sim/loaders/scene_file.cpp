@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sim/loaders/file/load_error.h"
-#include "sim/loaders/materials/unknown_materials.h"
+#include "sim/loaders/materials/materials_file.h"
 #include "sim/loaders/reader/reader_program.h"
 
 namespace scipd::sim {

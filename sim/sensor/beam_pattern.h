@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// The directions of a sensor's rays: of a scanner, with the footprint of each beam; of a camera,
+// which looks along +x of S; and of an ultrasonic or infrared ranger, which fills a cone around +x
+// evenly. Values; any thread.
 #pragma once
 
 #include <cstddef>
@@ -28,6 +32,31 @@ class BeamPattern {
   private:
     std::vector<glm::vec3> directions_;
     std::span<const FootprintRay> footprint_ = footprint_rays(1);
+};
+
+struct PinholeGrid {
+    int columns = 0;
+    int rows = 0;
+    /// From edge to edge of the outermost pixels, each below pi.
+    double width_rad = 0.0;
+    double height_rad = 0.0;
+
+    bool operator==(const PinholeGrid&) const = default;
+
+    /// Through the middle of each pixel, in S: row by row, the first row on top, each from the
+    /// left. Unit vectors.
+    [[nodiscard]] std::vector<glm::vec3> directions() const;
+};
+
+struct BeamCone {
+    double opening_rad = 0.0;  ///< all of it, up to pi
+    int beams = 0;
+
+    bool operator==(const BeamCone&) const = default;
+
+    /// In S, unit vectors: the first on the axis, the last at the rim, each with as much of the
+    /// solid angle as any other.
+    [[nodiscard]] std::vector<glm::vec3> directions() const;
 };
 
 }  // namespace scipd::sim

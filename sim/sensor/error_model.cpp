@@ -17,7 +17,7 @@
 #include "sim/sensor/noise_row.h"
 #include "sim/sensor/sensor_spec.h"
 #include "sim/sensor/spec_curves.h"
-#include "sim/sensor/steady_error.h"
+#include "sim/sensor/unit_bias.h"
 #include "sim/time.h"
 
 namespace scipd::sim {

@@ -14,8 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "sim/sensor/aggregation.h"
-#include "sim/sensor/beam_cone.h"
-#include "sim/sensor/pinhole_grid.h"
+#include "sim/sensor/beam_pattern.h"
 #include "sim/sensor/scan.h"
 #include "sim/sensor/scanner.h"
 #include "sim/sensor/sensor_spec.h"

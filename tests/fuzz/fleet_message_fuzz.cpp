@@ -12,7 +12,6 @@
 #include "daemon/fleet/kept_messages.h"
 #include "daemon/fleet/model_message.h"
 #include "daemon/fleet/pose_frame.h"
-#include "daemon/fleet/step.h"
 #include "daemon/fleet/vda5050.h"
 
 namespace {

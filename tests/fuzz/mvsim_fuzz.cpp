@@ -14,7 +14,6 @@
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/mvsim/mvsim_ground.h"
 #include "sim/loaders/mvsim/mvsim_walk.h"
-#include "sim/loaders/mvsim/mvsim_walls.h"
 #include "sim/text/quote.h"
 
 namespace {

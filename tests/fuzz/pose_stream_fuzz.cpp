@@ -20,7 +20,7 @@
 #include <boost/asio/io_context.hpp>
 #include <nlohmann/json.hpp>
 
-#include "daemon/api/pose_socket.h"
+#include "daemon/api/pose_routes.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
 #include "daemon/world/world.h"

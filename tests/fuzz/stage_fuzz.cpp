@@ -12,8 +12,8 @@
 #include <string>
 
 #include "sim/loaders/file/load_error.h"
-#include "sim/loaders/stage/stage_body.h"
 #include "sim/loaders/stage/stage_file.h"
+#include "sim/loaders/stage/stage_scene.h"
 #include "sim/text/quote.h"
 
 namespace {

@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "sim/backends/range_backend.h"
+#include "tools/scipbench/paper.h"
 #include "tools/scipbench/pixel_scan.h"
-#include "tools/scipbench/resolution.h"
 
 namespace scipd::tools {
 

@@ -29,7 +29,6 @@
 #include "tools/scipbench/load.h"
 #include "tools/scipbench/machine.h"
 #include "tools/scipbench/table3.h"
-#include "tools/scipbench/table4.h"
 
 namespace scipd::tools {
 namespace {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The paper's Table 3 on this machine: what one scan costs at each resolution.
+// The paper's Tables 3 and 4 on this machine: the cost of one scan at each resolution, and that of
+// reading a picture back.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 
 #include "sim/world/scene.h"
 #include "tools/scipbench/contest.h"
+#include "tools/scipbench/paper.h"
 #include "tools/scipbench/spread.h"
 
 namespace scipd::tools {
@@ -33,5 +35,17 @@ std::vector<Table3Row> measure_table3(const sim::SharedScene& scene, int repetit
 /// for what was not measured; in the CSV such cells are empty.
 void print_table3(const std::vector<Table3Row>& rows, std::ostream& out);
 void write_table3_csv(const std::vector<Table3Row>& rows, std::ostream& out);
+
+struct Table4Row {
+    Resolution resolution;
+    Spread depth_ms;
+    Spread triangles_ms;  ///< the paper's frame buffer
+};
+
+std::vector<Table4Row> measure_table4(const sim::SharedScene& scene, int repetitions,
+                                      double height_m);
+
+void print_table4(const std::vector<Table4Row>& rows, std::ostream& out);
+void write_table4_csv(const std::vector<Table4Row>& rows, std::ostream& out);
 
 }  // namespace scipd::tools

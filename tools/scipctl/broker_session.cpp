@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "daemon/config/secret_file.h"
-#include "daemon/fleet/identity.h"
-#include "daemon/fleet/step.h"
+#include "daemon/fleet/pose_frame.h"
+#include "daemon/fleet/topics.h"
 #include "tools/control_client.h"
 
 namespace scipd::tools {

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "daemon/fleet/pose_frame.h"
-#include "daemon/fleet/step.h"
 #include "sim/loaders/poses/pose_line.h"
 #include "tools/control_client.h"
 #include "tools/options.h"

@@ -28,7 +28,6 @@
 #include "sim/expected.h"
 #include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/file/xml_text.h"
-#include "sim/loaders/mesh/mesh_material.h"
 #include "sim/loaders/mesh/mesh_nodes.h"
 #include "sim/loaders/mesh/mesh_relief.h"
 #include "sim/text/quote.h"

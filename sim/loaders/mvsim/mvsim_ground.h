@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Turns occupancy grids and elevation maps of MVSim into meshes. Pure. Throws
+// Turns occupancy grids, elevation maps and walls of MVSim into meshes and boxes. Pure. Throws
 // std::invalid_argument, saying what cannot be read.
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "sim/loaders/mvsim/mvsim_node.h"
 #include "sim/world/mesh.h"
+#include "sim/world/shape.h"
 
 namespace scipd::sim {
 
@@ -28,5 +30,17 @@ PlacedMesh elevation_mesh(const MvsimNode& map, std::string_view picture);
 
 /// The ground of an `<elevation_data_matrix>`, which has the heights themselves in metres.
 PlacedMesh matrix_mesh(const MvsimNode& map, std::string_view matrix);
+
+struct PlacedBox {
+    Box box;
+    Pose world_from_box;
+};
+
+/// `<element class="vertical_plane">`: the wall without its doors and windows.
+std::vector<PlacedBox> plane_boxes(const MvsimNode& plane);
+
+/// `<walls>`: one wall between each pair of points. If an earlier wall begins or ends near one of
+/// its ends, the wall is longer there by half its thickness, so that corners are closed.
+std::vector<PlacedBox> wall_boxes(const MvsimNode& walls);
 
 }  // namespace scipd::sim

@@ -16,7 +16,6 @@
 #include "sim/loaders/file/scene_draft.h"
 #include "sim/loaders/mvsim/mvsim_ground.h"
 #include "sim/loaders/mvsim/mvsim_walk.h"
-#include "sim/loaders/mvsim/mvsim_walls.h"
 #include "sim/text/free_names.h"
 #include "sim/text/quote.h"
 #include "sim/world/extrusion.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "sim/loaders/poses/pose_columns.h"
-#include "sim/loaders/poses/tum_line.h"
+#include "sim/loaders/poses/pose_line.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/loaders/poses/tum_line.h"
+#include "sim/loaders/poses/pose_line.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 #include "sim/world/reach.h"

@@ -25,7 +25,6 @@
 #include "sim/loaders/poses/pose_columns.h"
 #include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/trajectory.h"
-#include "sim/loaders/poses/tum_line.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 #include "sim/world/pose.h"

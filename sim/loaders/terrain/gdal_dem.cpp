@@ -22,7 +22,7 @@
 #include <glm/vec2.hpp>
 #include <ogr_srs_api.h>
 
-#include "sim/loaders/map/map_image.h"
+#include "sim/loaders/map/map_picture.h"
 
 namespace scipd::sim {
 namespace {

@@ -2,8 +2,6 @@
 // Copyright The scipd authors
 //
 // The WebSocket /poses: how much of a message is taken at a time, and what is answered.
-#include "daemon/api/pose_socket.h"
-
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -12,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "daemon/api/pose_routes.h"
 #include "daemon/limits/rate.h"
 #include "tests/support/empty_api.h"
 

@@ -24,7 +24,7 @@
 
 #include "daemon/api/fault_text.h"
 #include "daemon/api/view_request.h"
-#include "daemon/api/world_motion.h"
+#include "daemon/api/world_view.h"
 #include "daemon/clock/stepped_clock.h"
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"

@@ -14,8 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include "daemon/device/pace.h"
 #include "daemon/device/scan_loop.h"
-#include "daemon/device/scan_losses.h"
 
 namespace scipd::daemon {
 namespace {

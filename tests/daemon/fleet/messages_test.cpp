@@ -11,7 +11,6 @@
 #include "daemon/fleet/model_message.h"
 #include "daemon/fleet/notes.h"
 #include "daemon/fleet/pose_frame.h"
-#include "daemon/fleet/step.h"
 
 namespace scipd::daemon {
 namespace {

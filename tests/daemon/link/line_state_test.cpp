@@ -3,8 +3,6 @@
 //
 // A line that changes while a client is connected: on a clock that is stepped by hand, by way of a
 // port and a real socket.
-#include "daemon/link/line_state.h"
-
 #include <array>
 #include <chrono>
 #include <memory>
@@ -15,6 +13,7 @@
 
 #include "daemon/clock/stepped_clock.h"
 #include "daemon/device/device.h"
+#include "daemon/link/line_hook.h"
 #include "daemon/link/tcp_port.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"

@@ -3,14 +3,13 @@
 //
 // The materials that a configuration names, what --check and a start tell of them, and which of two
 // files counts.
-#include "daemon/plan/load_materials.h"
-
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "daemon/config/config_file.h"
+#include "daemon/plan/load_world.h"
 #include "daemon/plan/rig_plan.h"
 #include "daemon/program/check.h"
 #include "sim/loaders/file/load_error.h"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/plan/load_trajectories.h"
-
 #include <filesystem>
 #include <stop_token>
 #include <string>
@@ -11,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "daemon/plan/load_world.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/support/temp_dir.h"
 

@@ -11,7 +11,7 @@
 
 #include "daemon/config/config_file.h"
 #include "daemon/models/model_registry.h"
-#include "daemon/plan/load_materials.h"
+#include "daemon/plan/load_world.h"
 #include "daemon/program/parse_options.h"
 #include "tests/support/backend_names.h"
 #include "tests/support/temp_dir.h"

@@ -16,8 +16,6 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "daemon/service/log_line.h"
-
 namespace scipd::daemon {
 namespace {
 

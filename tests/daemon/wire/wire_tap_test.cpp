@@ -19,7 +19,6 @@
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/link/tcp_port.h"
-#include "daemon/wire/wire_log.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/sensor/beam_cone.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+
+#include "sim/sensor/beam_pattern.h"
 
 namespace scipd::sim {
 namespace {

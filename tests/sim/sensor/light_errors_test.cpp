@@ -15,7 +15,7 @@
 #include "sim/sensor/echo_model.h"
 #include "sim/sensor/error_model.h"
 #include "sim/sensor/scanner.h"
-#include "sim/sensor/steady_error.h"
+#include "sim/sensor/unit_bias.h"
 
 namespace scipd::sim {
 namespace {

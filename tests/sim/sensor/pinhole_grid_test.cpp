@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/sensor/pinhole_grid.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+
+#include "sim/sensor/beam_pattern.h"
 
 namespace scipd::sim {
 namespace {

@@ -11,7 +11,6 @@
 
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/materials/materials_file.h"
-#include "sim/loaders/materials/unknown_materials.h"
 #include "sim/loaders/scene_file.h"
 #include "tests/support/temp_dir.h"
 

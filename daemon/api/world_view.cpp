@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/api/world_motion.h"
+#include "daemon/api/world_view.h"
 
 #include <cstddef>
 #include <utility>
