@@ -25,12 +25,13 @@ MODELS = ["URG-04LX", "UTM-30LX", "UST-10LX", "UTM-30LX-EW", "UHG-08LX"]
 
 
 class Scipd:
-    def __init__(self, scipd, folder, *options, tcp="127.0.0.1:0"):
+    def __init__(self, scipd, folder, *options, tcp="127.0.0.1:0", pty="auto"):
         self.folder = pathlib.Path(folder)
         self.errors = open(self.folder / "stderr", "w")
         self.process = subprocess.Popen(
-            [scipd, *options, *(["--tcp", tcp] if tcp else []), "--pty", "auto", "--timing", "ideal"], stdout=subprocess.PIPE,
-            stderr=self.errors, env={**os.environ, "XDG_RUNTIME_DIR": str(folder)})
+            [scipd, *options, *(["--tcp", tcp] if tcp else []),
+             *(["--pty", pty, "--timing", "ideal"] if pty else [])],
+            stdout=subprocess.PIPE, stderr=self.errors, env={**os.environ, "XDG_RUNTIME_DIR": str(folder)})
         line = self.process.stdout.readline()
         assert line, (self.folder / "stderr").read_text()
         self.ready = json.loads(line)
@@ -248,6 +249,43 @@ def serves_all_scanners(programs, folder):
         assert ports == [low, low + 1], ports
 
 
+def plays_several_files(programs, folder):
+    """The parts of a split log, by --replay and by a list of a configuration, which is saved as such."""
+    step = math.radians(0.25)
+    lines = [json.dumps({"host_time_s": 1000 + i / 40, "stamp_ms": 25 * i, "model": "UST-10LX", "first_step": 0,
+                         "first_angle_rad": -540 * step, "angle_increment_rad": step,
+                         "distances_mm": [1000 + i] * 1081}) + "\n" for i in range(30)]
+    parts = [folder / "log_0.jsonl", folder / "log_1.jsonl"]
+    for part, begin in zip(parts, (0, 15)):
+        part.write_text("".join(lines[begin:begin + 15]))
+
+    def holds_all(player):
+        control = Control(folder / "s")
+        status, replay = control.ask("GET", "/sensors/robot/scanner/replay")
+        assert status == 200 and replay["scans"] == 30, replay
+        control.request("GET", "/configuration")
+        saved = control.getresponse().read().decode()
+        assert all(str(part) in saved for part in parts), saved
+        read = values_of(player, programs[1], folder)
+        assert read == [1000 + i for i in range(30)], read
+        return saved
+
+    with Scipd(programs[0], folder, "--replay", *map(str, reversed(parts)), "--control", str(folder / "s")) as player:
+        saved = holds_all(player)
+    (folder / "saved.yaml").write_text(saved)
+    with Scipd(programs[0], folder, "--config", str(folder / "saved.yaml"), "--control", str(folder / "s"), tcp=None,
+               pty=None) as player:
+        holds_all(player)
+
+
+def values_of(player, scipcat, folder):
+    """Step 300 of thirty scans."""
+    done = subprocess.run([scipcat, "record", player.tcp, "-o", str(folder / "v.jsonl"), "-n", "30"],
+                          capture_output=True, text=True, timeout=PATIENCE_S, check=False)
+    assert done.returncode == 0, done.stderr
+    return [json.loads(line)["distances_mm"][300] for line in (folder / "v.jsonl").read_text().splitlines()]
+
+
 def refuses_what_is_none(programs, folder):
     scipd = programs[0]
     for name, text, advice in [("a.txt", "hello\n", "a.txt"), ("empty.jsonl", "", "empty.jsonl")]:
@@ -269,6 +307,7 @@ def main(*programs):
         has_codes_again(programs, pathlib.Path(folder))
         has_any_fan(programs, pathlib.Path(folder))
         serves_all_scanners(programs, pathlib.Path(folder))
+        plays_several_files(programs, pathlib.Path(folder))
     print("recorded scans come again")
 
 
