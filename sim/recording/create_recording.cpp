@@ -5,9 +5,7 @@
 #include <stdexcept>
 
 #include "sim/recording/mcap/mcap.h"
-#include "sim/recording/text/csv.h"
-#include "sim/recording/text/json_lines.h"
-#include "sim/recording/text/ubh.h"
+#include "sim/recording/text/text_formats.h"
 
 namespace scipd::sim {
 

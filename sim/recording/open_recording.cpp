@@ -21,12 +21,8 @@
 #include "sim/recording/pcap/pcap.h"
 #include "sim/recording/recording_files.h"
 #include "sim/recording/ros/bags.h"
-#include "sim/recording/text/carmen.h"
-#include "sim/recording/text/csv.h"
-#include "sim/recording/text/json_lines.h"
-#include "sim/recording/text/player.h"
-#include "sim/recording/text/rows.h"
-#include "sim/recording/text/ubh.h"
+#include "sim/recording/text/text_formats.h"
+#include "sim/recording/text/text_recording.h"
 #include "sim/text/text_number.h"
 
 namespace scipd::sim {
@@ -72,13 +68,8 @@ std::optional<Open> reader_for(std::string_view line) {
     if (line.starts_with("[") && line.ends_with("]") && line.find('{') == line.npos)
         return open_ubh;
     if (line.starts_with("{")) return open_json_lines;
-    if (is_row_of_numbers(line) || names_ranges(line)) return open_rows;
+    if (is_row_of_numbers(line) || is_row_of_titles(line)) return open_table;
     return std::nullopt;
-}
-
-/// Whether the next line is one of a table.
-bool goes_on_in_rows(std::string_view rest) {
-    return is_row_of_numbers(rest.substr(0, rest.find('\n')));
 }
 
 std::optional<Open> reader_for_ending(std::filesystem::path path) {
@@ -91,14 +82,14 @@ std::optional<Open> reader_for_ending(std::filesystem::path path) {
 }
 
 std::optional<Open> reader_for_text(std::string_view beginning) {
+    beginning = behind_byte_order_mark(beginning);
     while (!beginning.empty()) {
-        const std::string_view line = beginning.substr(0, beginning.find('\n'));
-        beginning.remove_prefix(std::min(line.size() + 1, beginning.size()));
+        const std::string_view line = take_until(beginning, "\n");
         if (const auto reader = reader_for(trimmed(line))) return reader;
-        if (goes_on_in_rows(beginning) && !line.starts_with('#') && !trimmed(line).empty())
-            return open_rows;
-        // Only comments may stand before the first line that tells.
-        if (!trimmed(line).empty() && !line.starts_with('#')) return std::nullopt;
+        if (trimmed(line).empty() || line.starts_with('#')) continue;
+        // Other lines have no title that is known; rows may be below them nevertheless.
+        const std::string_view next = beginning.substr(0, beginning.find('\n'));
+        return is_row_of_numbers(next) ? std::optional<Open>(open_table) : std::nullopt;
     }
     return std::nullopt;
 }

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/recording/text/json_lines.h"
-
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "sim/recording/file/growing_file.h"
 #include "sim/recording/json/scan_json.h"
+#include "sim/recording/text/text_formats.h"
 #include "sim/recording/text/text_recording.h"
-#include "sim/recording/text/text_values.h"
 #include "sim/text/text_number.h"
 
 namespace scipd::sim {
@@ -46,55 +42,45 @@ class JsonLines final : public TextRecording {
         const auto seconds = object.find("host_time_s");
         if (seconds != object.end() && seconds->is_number())
             scan->host_time = host_time_of(seconds->get<double>());
-        const std::size_t stream = stream_of(object, *scan);
-        return RecordedItem{stream, std::move(*scan)};
+        const RecordedStream stream = stream_in(object, *scan);
+        return RecordedItem{stream_of(stream.name, stream), std::move(*scan)};
     }
 
     [[nodiscard]] bool is_whole(std::string_view line) const override { return Json::accept(line); }
 
-    std::size_t stream_of(const Json& object, const RecordedScan& scan) {
-        const std::string model = text_in(object, "model");
-        const std::string serial = text_in(object, "serial");
-        const auto [found, is_new] = streams_by_name_.try_emplace({model, serial}, 0);
-        if (!is_new) return found->second;
-        RecordedStream stream{.name = model.empty() ? "scanner" : model, .type = "JSON lines"};
-        if (!serial.empty()) stream.name += " " + serial;
-        stream.identity.model = model;
-        stream.identity.serial = serial;
-        stream.identity.min_range_m = metres_in(object, "dmin_mm");
-        stream.identity.max_range_m = metres_in(object, "dmax_mm");
+    static RecordedStream stream_in(const Json& object, const RecordedScan& scan) {
+        RecordedStream stream{.name = text_in(object, "model"), .type = "JSON lines"};
+        stream.identity = {.model = stream.name,
+                           .serial = text_in(object, "serial"),
+                           .min_range_m = metres_in(object, "dmin_mm"),
+                           .max_range_m = metres_in(object, "dmax_mm")};
+        if (stream.name.empty()) stream.name = "scanner";
+        if (!stream.identity.serial.empty()) stream.name += " " + stream.identity.serial;
         learn_turn(scan.directions, stream.identity);
-        return found->second = add_stream(std::move(stream));
+        return stream;
     }
-
-    std::map<std::pair<std::string, std::string>, std::size_t> streams_by_name_;
 };
 
-class JsonLinesWriter final : public RecordingWriter {
+class JsonLinesWriter final : public TextRecordingWriter {
   public:
-    JsonLinesWriter(const std::filesystem::path& path, ScannerIdentity identity)
-        : file_(path), identity_(std::move(identity)) {}
-
-    void write(const RecordedScan& scan) override {
-        nlohmann::ordered_json object;
-        if (scan.host_time) object["host_time_s"] = std::stod(seconds_text(*scan.host_time));
-        object["model"] = identity_.model;
-        object["serial"] = identity_.serial;
-        add_mm(object, "dmin_mm", identity_.min_range_m);
-        add_mm(object, "dmax_mm", identity_.max_range_m);
-        add_scan(object, scan);
-        file_.write(object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
-        file_.flush();
-    }
+    using TextRecordingWriter::TextRecordingWriter;
 
   private:
+    std::string text_of(const RecordedScan& scan) override {
+        nlohmann::ordered_json object;
+        if (scan.host_time) object["host_time_s"] = std::stod(seconds_text(*scan.host_time));
+        object["model"] = identity().model;
+        object["serial"] = identity().serial;
+        add_mm(object, "dmin_mm", identity().min_range_m);
+        add_mm(object, "dmax_mm", identity().max_range_m);
+        add_scan(object, scan);
+        return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    }
+
     static void add_mm(nlohmann::ordered_json& object, const char* key,
                        const std::optional<double>& range_m) {
         if (range_m) object[key] = std::llround(*range_m * 1000.0);
     }
-
-    GrowingFile file_;
-    ScannerIdentity identity_;
 };
 
 }  // namespace

@@ -102,6 +102,57 @@ TEST(Rows, HaveWhatSpreadsheetsWrite) {
     EXPECT_TRUE(std::isinf(back.scans()[1].ranges[2]));
 }
 
+TEST(Rows, AreReadAsManyProgramsWriteThem) {
+    const std::string mark = "\xEF\xBB\xBF";
+    for (const std::string& text :
+         {mark + "range_0;range_1;range_2\r\n1001;-nan;infinity\r\n",
+          mark + "# by a "
+                 "spreadsheet\r\n\r\n\"range_0\"\t\"range_1\"\t\"range_2\"\r\n1001\t-NaN\tInf\r\n",
+          std::string("range[0], range[1], range[2]\n+1001,\t,+Infinity\n"),
+          std::string("0 range(0) range(1) range(2)\n# a comment\n   0 1001   nan(ind) inf  \n")}) {
+        const ReadBack back = read_bytes(text);
+        EXPECT_EQ(back.fault, "") << text;
+        ASSERT_THAT(back.scans(), SizeIs(1)) << text;
+        const auto ranges = back.scans()[0].ranges;
+        ASSERT_THAT(ranges, SizeIs(3)) << text;
+        EXPECT_EQ(ranges[0], 1001) << text;
+        EXPECT_TRUE(std::isnan(ranges[1])) << text;
+        EXPECT_TRUE(std::isinf(ranges[2])) << text;
+        EXPECT_THAT(back.scans()[0].directions.first_step, Optional(0)) << text;
+    }
+}
+
+TEST(Rows, MayBeNone) {
+    for (const std::string text : {"range_0,range_1,range_2\n", "# 1\n0,1,2,3,4\n\n\n5,9,7,6,5"}) {
+        const ReadBack back = read_bytes(text);
+        EXPECT_EQ(back.fault, "") << text;
+        EXPECT_EQ(back.format, "rows");
+        EXPECT_THAT(back.streams, SizeIs(1));
+        EXPECT_THAT(back.scans(), IsEmpty()) << text;
+    }
+}
+
+TEST(Rows, WithoutALineEndAreLeftOut) {
+    const ReadBack back = read_bytes("1000 2000 3000\n1001 2001 30");
+    EXPECT_EQ(back.fault, "");
+    EXPECT_THAT(back.scans(), SizeIs(1));
+    EXPECT_THAT(back.warnings, ElementsAre("FILE ends within line 2, which is left out"));
+}
+
+// The same instant in s, ms, µs and ns; a time of before 1973 is since the log began.
+TEST(Rows, HaveTimesInAnyUnit) {
+    const ReadBack back = read_bytes(
+        "time,r0,r1,r2\n1769860800.123456789,1,2,3\n1769860800123.456789,1,2,3\n"
+        "1769860800123456.789,1,2,3\n1769860800123456789,1,2,3\n12.5,1,2,3\nnan,1,2,3\n");
+    EXPECT_EQ(back.fault, "");
+    const auto scans = back.scans();
+    ASSERT_THAT(scans, SizeIs(6));
+    for (std::size_t row = 0; row < 4; ++row)
+        EXPECT_EQ(scans[row].host_time, sim::host_time_at(1'769'860'800, 123'456'789)) << row;
+    EXPECT_FALSE(scans[4].host_time);
+    EXPECT_FALSE(scans[5].host_time);
+}
+
 TEST(Rows, MayStandUnderNames) {
     const ReadBack back = read_bytes(
         "time,\"range_mm_44\",\"range_mm_45\",\"range_mm_46\",who,remission44,remission45,"
@@ -202,6 +253,21 @@ TEST(Rows, OfCoreSlamAreScansOfAUrg) {
                 Optional(DoubleNear((44 - 384) * 2 * std::numbers::pi / 1024, 1e-9)));
 }
 
+TEST(Rows, OfCoreSlamMayLackTheirTime) {
+    std::string text;
+    for (const char* time : {"212387282", "nan", "-5", "1e300"}) {
+        text += time;
+        for (int i = 1; i < 24 + 682; ++i)
+            text += " 1000";
+        text += "\n";
+    }
+    const auto scans = read_bytes(text).scans();
+    ASSERT_THAT(scans, SizeIs(4));
+    EXPECT_THAT(scans[0].stamp_us, Optional(212'387'282U));
+    for (std::size_t row = 1; row < 4; ++row)
+        EXPECT_FALSE(scans[row].stamp_us) << row;
+}
+
 TEST(Rows, HaveAnglesBelowZeroBehindDashes) {
     for (const char* names : {"range-2,range-1,range0,range1,range2", "deg-2,deg-1,deg0,deg1,deg2",
                               "r_-2,r_-1,r_-2.2e-16,r_1,r_2"}) {
@@ -271,6 +337,18 @@ TEST(Player, ReadsScansWhosePlaceIsNoNumber) {
     EXPECT_FALSE(back.scans()[0].pose);
 }
 
+TEST(Carmen, ReadsRangesThatAreNoNumber) {
+    const ReadBack back =
+        read_bytes("FLASER 3 1.5 nan inf nan 2 0.5 3 4 0.6 1700000000.25 host 0.1\r\n");
+    EXPECT_EQ(back.fault, "");
+    ASSERT_THAT(back.scans(), SizeIs(1));
+    const auto scan = back.scans()[0];
+    EXPECT_EQ(scan.ranges[0], 1.5);
+    EXPECT_TRUE(std::isnan(scan.ranges[1]));
+    EXPECT_TRUE(std::isinf(scan.ranges[2]));
+    EXPECT_FALSE(scan.pose);
+}
+
 TEST(Ubh, ReadsOlderVersionsOfItsMaker) {
     const ReadBack back = read_bytes(
         "[model]\r\nURG-04LX(Hokuyo Automatic Co.,Ltd.)\r\n[frontStep]\r\n384\r\n[totalSteps]\r\n"
@@ -326,6 +404,15 @@ INSTANTIATE_TEST_SUITE_P(
               "FILE:3: there are 3 cells in place of 4"},
         Wrong{"# host_time_s,stamp_ms,distance_mm_4\n1,2,x\n",
               "FILE:2: column 3 must be a number, not 'x'"},
+        Wrong{"# host_time_s,stamp_ms,distance_mm_4\n1,,5\n",
+              "FILE:2: stamp_ms must be a number of milliseconds, not ''"},
+        Wrong{"# host_time_s,stamp_ms,distance_mm_4\nx,2,5\n",
+              "FILE:2: host_time_s must be a number, not 'x'"},
+        Wrong{"# host_time_s,stamp_ms,distance1_mm_4,distance1_mm_5,intensity1_4,"
+              "intensity1_5\n1,2,5,6,7,\n",
+              "FILE:2: there must be an intensity for each distance"},
+        Wrong{"# host_time_s,stamp_ms,intensity_4,distance_mm_4\n",
+              "FILE:1: the distances must come first"},
         Wrong{"# host_time_s,stamp_ms,range_4\n", "FILE:1: 'range_4' is neither distance_mm_S nor"},
         Wrong{"# host_time_s,stamp_ms,distance_mm_4,intensity_4,intensity_5\n",
               "FILE:1: each range and intensity must have a column for each step"},
@@ -336,9 +423,31 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[model]\nUST\nstray\n[scan]\n", "FILE:3: must be a key in brackets"},
         Wrong{"FLASER 3 1 2\nFLASER 0 0 0\n",
               "FILE:1: FLASER must have as many numbers as it says"},
+        Wrong{"FLASER 3 1 2 3\nFLASER 0 0 0\n",
+              "FILE:1: FLASER must have as many numbers as it says, and end in a time"},
+        Wrong{"RAWLASER1 0 -1.5 3.0 x 20.0 0.01 0 2 4.0 5.0 0 1700000002 host 2\n",
+              "FILE:1: RAWLASER1 must have as many numbers as it says"},
+        Wrong{"## Player version 2\n1 1 1 laser 00 001 001 1 0 0 0 8 1 1.0 1 7\n# \n",
+              "FILE:2: must have a range and an intensity for each reading"},
         Wrong{"## Player version 1\nlaser 0 0\n0 0\n", "FILE:2: a line must begin with time, host"},
         Wrong{"## Player version 2\n1 1 1 laser 00 001 001 1 0 0 0 8 2 1.0 1\n# \n",
               "FILE:2: must have a range and an intensity for each reading"}));
+
+TEST(Text, MayBeginWithAByteOrderMark) {
+    const std::string row = "FLASER 2 1 2 1 2 0.5 3 4 0.6 1700000000.25 host 0.1\n";
+    for (const auto& [format, text] : std::initializer_list<std::pair<std::string, std::string>>{
+             {"jsonl", "{\"distances_mm\":[1,2]}\n"},
+             {"ubh", "[model]\nUST-10LX\n[scan]\n1;2\n"},
+             {"csv", "# host_time_s,stamp_ms,distance_mm_4,distance_mm_5\r\n1,2,1,2\r\n"},
+             {"carmen", row},
+             {"rows", "1 2\n"}}) {
+        const ReadBack back = read_bytes("\xEF\xBB\xBF" + text);
+        EXPECT_EQ(back.fault, "") << format;
+        EXPECT_EQ(back.format, format);
+        ASSERT_THAT(back.scans(), SizeIs(1)) << format;
+        EXPECT_THAT(back.scans()[0].ranges, ElementsAre(1, 2)) << format;
+    }
+}
 
 TEST(JsonLines, TellsScannersApart) {
     const ReadBack back = read_bytes(
@@ -358,6 +467,13 @@ TEST(Lines, OfAFileThatEndsWithinOneAreReadToThat) {
     EXPECT_EQ(back.fault, "");
     EXPECT_THAT(back.scans(), SizeIs(1));
     EXPECT_THAT(back.warnings, ElementsAre("FILE ends within line 2, which is left out"));
+}
+
+TEST(Lines, ThatAreLongerThanAnyScanAreRefused) {
+    EXPECT_EQ(read_bytes("1 2 3\n" + std::string((16 << 20) + (1 << 17), '4')).fault,
+              "FILE:2: the line is longer than any scan: this is no recording as text");
+    EXPECT_EQ(read_bytes("1" + std::string(2 << 20, ',') + "\n").fault,
+              "FILE:1: a row of 2097152 cells is no scan");
 }
 
 TEST(Lines, MayBeLongerThanAPieceOfTheFile) {
