@@ -18,8 +18,8 @@
 namespace scipd::sim {
 namespace {
 
-/// Remissions follow the ranges, with their number in front; the poses of the laser and of the robot
-/// follow these. In pairs, an intensity follows each range.
+/// Remissions follow the ranges, with their number in front; then come the poses of the laser and
+/// the robot. In pairs, an intensity follows each range.
 struct Extras {
     bool remissions = false;
     bool poses = false;
