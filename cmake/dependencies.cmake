@@ -26,6 +26,7 @@ pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(sqlite3 REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(pcap REQUIRED IMPORTED_TARGET libpcap)
+pkg_check_modules(tins REQUIRED IMPORTED_TARGET libtins)
 find_package(Ceres REQUIRED)
 find_path(stb_folder stb/stb_image.h REQUIRED) # headers only
 
