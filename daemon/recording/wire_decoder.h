@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "protocol/client/decoder.h"
-#include "sim/recording/values/recorded_bytes.h"
 #include "sim/recording/values/recorded_scan.h"
 #include "sim/recording/values/scanner_identity.h"
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sim/recording/ros/laser_message.h"
+#include "sim/recording/ros/laser_recording.h"
 
 namespace {
 

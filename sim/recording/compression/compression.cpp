@@ -12,6 +12,8 @@
 #include <lz4frame.h>
 #include <zstd.h>
 
+#include "sim/text/quote.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -32,9 +34,8 @@ struct Step {
     std::string fault;
 };
 
-/// Calls `step(packed, room)` until all is unpacked, and appends what it makes to `bytes`.
-Expected<> unpack(std::string_view packed, std::size_t most, std::string& bytes, bool& whole,
-                  const auto& step) {
+/// Calls `step(packed, room)` until all is unpacked, and `write` with what each step makes.
+Expected<> unpack(std::string_view packed, bool& whole, const auto& step, const auto& write) {
     std::string piece(piece_bytes, '\0');
     bool full = false;  // the library may hold more than fitted into the last piece
     while (!packed.empty() || (full && !whole)) {
@@ -43,19 +44,21 @@ Expected<> unpack(std::string_view packed, std::size_t most, std::string& bytes,
         packed.remove_prefix(done.read);
         full = done.made == piece.size();
         whole = done.whole;
-        bytes.append(piece, 0, done.made);
-        if (bytes.size() > most)
-            return refuse("makes more than " + std::to_string(most) + " bytes");
+        const Expected<> written = write(std::string_view(piece).substr(0, done.made));
+        if (!written) return written;
         if (done.read == 0 && done.made == 0) break;
     }
     return {};
 }
 
-Expected<std::string> unpack_block(std::string_view packed, std::size_t most, const char* library,
-                                   const auto& step) {
+Expected<std::string> unpack_block(std::string_view packed, const char* library, const auto& step) {
     std::string bytes;
     bool whole = packed.empty();
-    const auto done = unpack(packed, most, bytes, whole, step);
+    const auto done = unpack(packed, whole, step, [&](std::string_view piece) -> Expected<> {
+        bytes += piece;
+        if (bytes.size() <= largest_block) return {};
+        return refuse("makes more than " + std::to_string(largest_block) + " bytes");
+    });
     if (!done) return tl::unexpected(done.error());
     if (!whole) return refuse(std::string("is ") + library + " that was cut off");
     return bytes;
@@ -78,38 +81,17 @@ std::unique_ptr<ZSTD_DStream, Release<ZSTD_freeDStream>> zstd_stream() {
     return std::unique_ptr<ZSTD_DStream, Release<ZSTD_freeDStream>>(ZSTD_createDStream());
 }
 
-}  // namespace
-
-Expected<std::string> unpack_zstd(std::string_view packed, std::size_t most) {
+Expected<std::string> unpack_zstd(std::string_view packed) {
     const auto stream = zstd_stream();
-    return unpack_block(packed, most, "zstd", zstd_step(stream.get()));
+    return unpack_block(packed, "zstd", zstd_step(stream.get()));
 }
 
-Expected<> unpack_zstd(const std::function<Expected<std::string>()>& read,
-                       const std::function<Expected<>(std::string_view)>& write) {
-    const auto stream = zstd_stream();
-    bool whole = true;
-    for (;;) {
-        const auto packed = read();
-        if (!packed) return tl::unexpected(packed.error());
-        if (packed->empty()) break;
-        std::string bytes;
-        const auto done =
-            unpack(*packed, largest_block, bytes, whole, zstd_step(stream.get())).and_then([&] {
-                return write(bytes);
-            });
-        if (!done) return done;
-    }
-    if (!whole) return refuse("is zstd that was cut off");
-    return {};
-}
-
-Expected<std::string> unpack_lz4(std::string_view packed, std::size_t most) {
+Expected<std::string> unpack_lz4(std::string_view packed) {
     LZ4F_dctx* created = nullptr;
     if (LZ4F_isError(LZ4F_createDecompressionContext(&created, LZ4F_VERSION)) != 0)
         throw std::bad_alloc();
     const std::unique_ptr<LZ4F_dctx, Release<LZ4F_freeDecompressionContext>> context(created);
-    return unpack_block(packed, most, "lz4", [&](std::string_view rest, std::string& piece) {
+    return unpack_block(packed, "lz4", [&](std::string_view rest, std::string& piece) {
         Step step{rest.size(), piece.size(), false, {}};
         const std::size_t to_come = LZ4F_decompress(context.get(), piece.data(), &step.made,
                                                     rest.data(), &step.read, nullptr);
@@ -120,12 +102,12 @@ Expected<std::string> unpack_lz4(std::string_view packed, std::size_t most) {
     });
 }
 
-Expected<std::string> unpack_bzip2(std::string_view packed, std::size_t most) {
+Expected<std::string> unpack_bzip2(std::string_view packed) {
     if (packed.size() > std::numeric_limits<unsigned>::max()) return refuse("is too large");
     bz_stream stream{};
     if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) throw std::bad_alloc();
     const std::unique_ptr<bz_stream, Release<BZ2_bzDecompressEnd>> end(&stream);
-    return unpack_block(packed, most, "bzip2", [&](std::string_view rest, std::string& piece) {
+    return unpack_block(packed, "bzip2", [&](std::string_view rest, std::string& piece) {
         // The library wants characters that could be written, but writes none.
         stream.next_in = const_cast<char*>(rest.data());
         stream.avail_in = static_cast<unsigned>(rest.size());
@@ -159,6 +141,37 @@ std::string pack_lz4(std::string_view bytes) {
     if (LZ4F_isError(size) != 0) throw std::runtime_error(LZ4F_getErrorName(size));
     packed.resize(size);
     return packed;
+}
+
+}  // namespace
+
+Expected<std::string> unpack(std::string_view method, std::string_view packed) {
+    if (method.empty() || method == "none") return std::string(packed);
+    if (method == "zstd") return unpack_zstd(packed);
+    if (method == "lz4") return unpack_lz4(packed);
+    if (method == "bz2") return unpack_bzip2(packed);
+    return refuse("is packed by " + quote(method) + ", which is unknown");
+}
+
+Expected<> unpack_zstd(const std::function<Expected<std::string>()>& read,
+                       const std::function<Expected<>(std::string_view)>& write) {
+    const auto stream = zstd_stream();
+    bool whole = true;
+    for (;;) {
+        const auto packed = read();
+        if (!packed) return tl::unexpected(packed.error());
+        if (packed->empty()) break;
+        const auto done = unpack(*packed, whole, zstd_step(stream.get()), write);
+        if (!done) return done;
+    }
+    if (!whole) return refuse("is zstd that was cut off");
+    return {};
+}
+
+std::string pack(std::string_view method, std::string_view bytes) {
+    return method == "zstd"  ? pack_zstd(bytes)
+           : method == "lz4" ? pack_lz4(bytes)
+                             : std::string(bytes);
 }
 
 }  // namespace scipd::sim

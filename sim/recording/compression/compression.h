@@ -17,20 +17,16 @@ namespace scipd::sim {
 /// No writer makes blocks of such a size, but a damaged length may ask for any.
 inline constexpr std::size_t largest_block = std::size_t{256} << 20;
 
-/// The whole block. Each refuses what is damaged, is cut off, or makes more than `most` bytes.
-[[nodiscard]] Expected<std::string> unpack_zstd(std::string_view packed,
-                                                std::size_t most = largest_block);
-[[nodiscard]] Expected<std::string> unpack_lz4(std::string_view packed,
-                                               std::size_t most = largest_block);
-[[nodiscard]] Expected<std::string> unpack_bzip2(std::string_view packed,
-                                                 std::size_t most = largest_block);
+/// The whole block, packed by a method as files name it: "zstd", "lz4", "bz2", or not at all ("none"
+/// and ""). Refuses what is damaged, is cut off, or makes more than largest_block.
+[[nodiscard]] Expected<std::string> unpack(std::string_view method, std::string_view packed);
 
 /// Piece after piece: `read` returns the next packed bytes, or none at the end, and `write` gets
 /// what they make.
 [[nodiscard]] Expected<> unpack_zstd(const std::function<Expected<std::string>()>& read,
                                      const std::function<Expected<>(std::string_view)>& write);
 
-[[nodiscard]] std::string pack_zstd(std::string_view bytes);
-[[nodiscard]] std::string pack_lz4(std::string_view bytes);
+/// By "zstd", "lz4" or "".
+[[nodiscard]] std::string pack(std::string_view method, std::string_view bytes);
 
 }  // namespace scipd::sim

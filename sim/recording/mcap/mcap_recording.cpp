@@ -9,13 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/recording/compression/compression.h"
-#include "sim/recording/file/byte_reader.h"
 #include "sim/recording/json/scan_json.h"
 #include "sim/recording/mcap/mcap.h"
-#include "sim/recording/mcap/record_reader.h"
-#include "sim/recording/mcap/scip_channels.h"
 #include "sim/recording/ros/block_recording.h"
-#include "sim/recording/values/identity_entries.h"
 
 namespace scipd::sim {
 namespace {
@@ -60,16 +56,20 @@ class Mcap final : public BlockRecording {
     Expected<> read_layout();
 
   private:
-    Expected<> take_head(const mcap::RecordHead& head);
+    std::optional<std::uint64_t> take_record(std::uint64_t byte) override;
+    std::optional<std::uint64_t> chunk_behind(std::uint64_t byte) override;
+    Expected<> take_content(Opcode opcode, std::uint64_t byte, std::uint64_t length);
     Expected<> take(Opcode opcode, std::string_view content);
     Expected<> take_channel(std::string_view content);
-    Expected<> take_message(std::string_view content, Unpacked& unpacked) const;
     void take_metadata(const mcap::Metadata& metadata);
-    void unpack(const Block& block, Unpacked& unpacked) override;
+    Expected<std::string> records_of(std::string block) override;
+    Expected<> take_record(ByteReader& records, Unpacked& unpacked) override;
     Next item_of(const Message& message, std::string_view data) override;
     Expected<RecordedItem> json_scan(std::size_t of, HostTime logged, std::string_view data);
     std::size_t stream_of(std::string_view topic, std::string_view suffix);
 
+    bool in_summary_ = false;
+    bool knows_channels_ = false;  ///< by the summary
     std::map<std::uint16_t, mcap::Schema> schemas_;
     std::map<std::uint16_t, Content> contents_;
     std::map<std::string, std::size_t> streams_by_prefix_;
@@ -81,39 +81,73 @@ Expected<> Mcap::read_layout() {
     if (!beginning) return tl::unexpected(beginning.error());
     if (*beginning != mcap::magic)
         return file_.refuse_byte(0, "is no MCAP file of version 0: it begins otherwise");
-    mcap::RecordReader reader(file_, [this](const auto& why) { lose(why); });
-    bool knows_channels = false;
-    for (;;) {
-        const auto head = reader.next();
-        if (!head) return tl::unexpected(head.error());
-        if (!*head) break;
-        knows_channels |= reader.in_summary() && (*head)->opcode == Opcode::channel;
-        if (const auto taken = take_head(**head); !taken)
-            lose(file_.refuse_byte((*head)->byte, taken.error().why));
-    }
-    if (!reader.lost().empty()) warn(file_.name() + " " + reader.lost());
-    begin(knows_channels);
+    if (walk(mcap::magic.size()) && !in_summary_)
+        warn(file_.name() + " has no index: its recorder was stopped before it ended");
+    begin(knows_channels_);
     return {};
 }
 
-Expected<> Mcap::take_head(const mcap::RecordHead& head) {
-    constexpr std::size_t enough = 24;  // for the times of a chunk or a message
-    const bool is_short = head.opcode == Opcode::chunk || head.opcode == Opcode::message;
-    if (!is_short && head.opcode != Opcode::schema && head.opcode != Opcode::channel &&
-        head.opcode != Opcode::metadata)
+std::optional<std::uint64_t> Mcap::take_record(std::uint64_t byte) {
+    const std::uint64_t end_of_file = file_.size();
+    const auto bytes = file_.read(byte, mcap::record_head);
+    ByteReader reader(bytes ? std::string_view(*bytes) : std::string_view{});
+    const auto opcode = static_cast<Opcode>(reader.number<std::uint8_t>());
+    const auto length = reader.number<std::uint64_t>();
+    // A file system that lost its power may leave zeros.
+    if (reader.too_short() || opcode == Opcode{} || length > end_of_file - byte - mcap::record_head)
+        return in_summary_ ? std::optional(end_of_file) : std::nullopt;
+    in_summary_ |= opcode == Opcode::data_end || opcode == Opcode::footer;
+    if (opcode == Opcode::footer) return end_of_file;
+    knows_channels_ |= in_summary_ && opcode == Opcode::channel;
+    if (const auto taken = take_content(opcode, byte, length); !taken)
+        lose(file_.refuse_byte(byte, taken.error().why));
+    return byte + mcap::record_head + length;
+}
+
+/// The next chunk by the index, or the index itself.
+std::optional<std::uint64_t> Mcap::chunk_behind(std::uint64_t byte) {
+    if (in_summary_) return std::nullopt;
+    using mcap::record_head;
+    constexpr std::uint64_t footer = 20;  // bytes of its content
+    if (file_.size() < footer + mcap::magic.size()) return std::nullopt;
+    const auto end =
+        file_.read(file_.size() - footer - mcap::magic.size(), footer + mcap::magic.size());
+    if (!end || !end->ends_with(mcap::magic)) return std::nullopt;
+    const auto index = ByteReader(*end).number<std::uint64_t>();
+    if (index <= byte) return std::nullopt;
+    std::uint64_t nearest = index;
+    for (std::uint64_t at = index; at < file_.size();) {
+        const auto bytes = file_.read(at, record_head + 3 * sizeof(std::uint64_t));
+        if (!bytes) break;
+        ByteReader reader(*bytes);
+        const auto opcode = static_cast<Opcode>(reader.number<std::uint8_t>());
+        const auto length = reader.number<std::uint64_t>();
+        reader.skip(2 * sizeof(std::uint64_t));  // the times of its first and last message
+        const auto chunk = reader.number<std::uint64_t>();
+        if (reader.too_short() || length > file_.size()) break;
+        if (opcode == Opcode::chunk_index && chunk > byte) nearest = std::min(nearest, chunk);
+        at += record_head + length;
+    }
+    return nearest;
+}
+
+/// Takes a record of the file; of a chunk or a message the times alone.
+Expected<> Mcap::take_content(Opcode opcode, std::uint64_t byte, std::uint64_t length) {
+    constexpr std::uint64_t of_times = 24;
+    const bool in_block = opcode == Opcode::chunk || opcode == Opcode::message;
+    if (!in_block && opcode != Opcode::schema && opcode != Opcode::channel &&
+        opcode != Opcode::metadata)
         return {};
-    if (!is_short && head.length > largest_block) return refuse("the record is too large");
-    const auto content = file_.read(
-        head.begin, is_short ? std::min<std::uint64_t>(enough, head.length) : head.length);
+    if (!in_block && length > largest_block) return refuse("the record is too large");
+    const auto content =
+        file_.read(byte + mcap::record_head, in_block ? std::min(of_times, length) : length);
     if (!content) return tl::unexpected(content.error());
-    if (!is_short) return take(head.opcode, *content);
-    Block block{.byte = head.byte, .size = mcap::record_head + head.length};
+    if (!in_block) return take(opcode, *content);
+    Block block{.byte = byte, .size = mcap::record_head + length};
     ByteReader times(*content);
-    if (head.opcode == Opcode::message) {
-        block.first = block.last =
-            mcap::parse_message(*content)
-                .map([](const auto& message) { return host_time(message.log_ns); })
-                .value_or(HostTime{});
+    if (opcode == Opcode::message) {
+        times.skip(sizeof(mcap::Message::channel) + sizeof(mcap::Message::sequence));
+        block.first = block.last = host_time(times.number<std::uint64_t>());
         add_loose(block);
     } else {
         block.first = host_time(times.number<std::uint64_t>());
@@ -123,36 +157,26 @@ Expected<> Mcap::take_head(const mcap::RecordHead& head) {
     return {};
 }
 
-void Mcap::unpack(const Block& block, Unpacked& unpacked) {
-    const std::string size = std::to_string(block.size) + " bytes ";
-    if (block.size > largest_block)
-        return lose(file_.refuse_byte(block.byte, "the record of " + size + "is too large"));
-    auto bytes = file_.read(block.byte, block.size);
-    const bool is_chunk = bytes && bytes->starts_with(static_cast<char>(Opcode::chunk));
-    if (is_chunk) bytes = mcap::unpack_chunk(std::string_view(*bytes).substr(mcap::record_head));
-    if (!bytes) {
-        return lose(file_.refuse_byte(block.byte, "the chunk of " + size + bytes.error().why));
-    }
-    unpacked.bytes = std::move(*bytes);
-    ByteReader reader(unpacked.bytes);
-    while (!reader.at_end()) {
-        const auto opcode = static_cast<Opcode>(reader.number<std::uint8_t>());
-        const std::string_view content = reader.take(reader.number<std::uint64_t>());
-        if (reader.too_short())
-            return lose(
-                file_.refuse_byte(block.byte, "the chunk of " + size + "ends within a record"));
-        const auto taken =
-            opcode == Opcode::message ? take_message(content, unpacked) : take(opcode, content);
-        if (!taken) lose(file_.refuse_byte(block.byte, taken.error().why));
-    }
+/// Those of a chunk once its checksum is right.
+Expected<std::string> Mcap::records_of(std::string block) {
+    if (!block.starts_with(static_cast<char>(Opcode::chunk))) return block;
+    const auto chunk = mcap::parse_chunk(std::string_view(block).substr(mcap::record_head));
+    if (!chunk) return refuse("is damaged: " + chunk.error().why);
+    auto bytes = sim::unpack(chunk->compression, chunk->records);
+    if (bytes &&
+        (bytes->size() != chunk->size || (chunk->crc != 0 && mcap::crc32(*bytes) != chunk->crc)))
+        return refuse("is damaged: its checksum is wrong");
+    return bytes;
 }
 
-Expected<> Mcap::take_message(std::string_view content, Unpacked& unpacked) const {
+Expected<> Mcap::take_record(ByteReader& records, Unpacked& unpacked) {
+    const auto opcode = static_cast<Opcode>(records.number<std::uint8_t>());
+    const std::string_view content = records.take(records.number<std::uint64_t>());
+    if (records.too_short()) return {};
+    if (opcode != Opcode::message) return take(opcode, content);
     return mcap::parse_message(content).map([&](const mcap::Message& message) {
-        if (!topics_.has(message.channel) && !contents_.contains(message.channel)) return;
-        const auto begin = static_cast<std::uint32_t>(message.data.data() - unpacked.bytes.data());
-        unpacked.messages.push_back({host_time(message.log_ns), message.channel, begin,
-                                     static_cast<std::uint32_t>(message.data.size())});
+        if (has_topic(message.channel) || contents_.contains(message.channel))
+            unpacked.add(host_time(message.log_ns), message.channel, message.data);
     });
 }
 
@@ -174,7 +198,7 @@ Expected<> Mcap::take_channel(std::string_view content) {
     const std::string& topic = channel->topic;
     const auto schema = schemas_.find(channel->schema);
     const std::string type = schema == schemas_.end() ? channel->encoding : schema->second.name;
-    if (contents_.contains(channel->id) || topics_.has(channel->id)) return {};
+    if (contents_.contains(channel->id) || has_topic(channel->id)) return {};
     const bool wire = channel->encoding == mcap::wire_encoding;
     const bool to_scanner = topic.ends_with(mcap::to_scanner_topic);
     if (wire && (to_scanner || topic.ends_with(mcap::from_scanner_topic))) {
@@ -188,10 +212,9 @@ Expected<> Mcap::take_channel(std::string_view content) {
         stream(of).type = type;
         contents_[channel->id] = JsonScans{of};
     } else if (const bool cdr = channel->encoding == "cdr"; cdr || channel->encoding == "ros1") {
-        if (!topics_.add(channel->id, {topic, type, cdr ? RosEncoding::cdr : RosEncoding::ros1}))
-            leave_out(file_.name(), topic, type);
+        add_topic(channel->id, {topic, type, cdr ? RosEncoding::cdr : RosEncoding::ros1});
     } else {
-        leave_out(file_.name(), topic, type);
+        leave_out(topic, type);
     }
     return {};
 }
@@ -218,7 +241,7 @@ std::size_t Mcap::stream_of(std::string_view topic, std::string_view suffix) {
 }
 
 Recording::Next Mcap::item_of(const Message& message, std::string_view data) {
-    if (topics_.has(message.channel)) return BlockRecording::item_of(message, data);
+    if (has_topic(message.channel)) return laser_item(message.channel, message.time, data);
     const Content& content = contents_.at(static_cast<std::uint16_t>(message.channel));
     if (const auto* const wire = std::get_if<WireBytes>(&content))
         return RecordedItem{wire->stream, RecordedBytes{wire->way, message.time, std::string(data)},

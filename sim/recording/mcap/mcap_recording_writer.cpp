@@ -9,13 +9,72 @@
 
 #include "sim/recording/json/scan_json.h"
 #include "sim/recording/mcap/mcap.h"
-#include "sim/recording/mcap/scip_channels.h"
-#include "sim/recording/values/identity_entries.h"
 
 namespace scipd::sim {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
+
+/// JSON Schema of the scans: foxglove.LaserScan, and beside it what it has no room for.
+constexpr std::string_view scan_schema = R"({
+  "title": "foxglove.LaserScan",
+  "description": "A scan of a planar laser range-finder",
+  "type": "object",
+  "properties": {
+    "timestamp": {
+      "type": "object",
+      "title": "time",
+      "properties": {
+        "sec": {"type": "integer", "minimum": 0},
+        "nsec": {"type": "integer", "minimum": 0, "maximum": 999999999}
+      }
+    },
+    "frame_id": {"type": "string"},
+    "pose": {
+      "type": "object",
+      "title": "foxglove.Pose",
+      "properties": {
+        "position": {
+          "type": "object",
+          "title": "foxglove.Vector3",
+          "properties": {
+            "x": {"type": "number"}, "y": {"type": "number"}, "z": {"type": "number"}
+          }
+        },
+        "orientation": {
+          "type": "object",
+          "title": "foxglove.Quaternion",
+          "properties": {
+            "x": {"type": "number"}, "y": {"type": "number"},
+            "z": {"type": "number"}, "w": {"type": "number"}
+          }
+        }
+      }
+    },
+    "start_angle": {"type": "number", "description": "of the first range, in radians"},
+    "end_angle": {"type": "number", "description": "of the last range, in radians"},
+    "ranges": {
+      "type": "array", "items": {"type": "number"},
+      "description": "in metres, the nearest of each step; 0: no distance"
+    },
+    "intensities": {"type": "array", "items": {"type": "number"}},
+    "stamp_ms": {"type": "integer", "description": "the scanner's clock at step 0, 24 bits"},
+    "stamp_us": {"type": "integer", "description": "the same in microseconds"},
+    "first_step": {"type": "integer"},
+    "cluster": {"type": "integer", "description": "neighbouring steps that share a value"},
+    "first_angle_rad": {"type": "number"},
+    "angle_increment_rad": {"type": "number"},
+    "distances_mm": {
+      "type": "array", "items": {"type": "number"},
+      "description": "as the scanner sent them, its codes for no distance among them"
+    },
+    "echoes": {
+      "type": "array", "items": {"type": "array"},
+      "description": "of each step all, as mm or [mm, intensity]"
+    }
+  }
+}
+)";
 
 std::uint64_t unix_ns(HostTime time) {
     const auto ns = time.time_since_epoch().count();
@@ -46,7 +105,7 @@ class McapRecordingWriter final : public RecordingWriter {
                         mcap::WriterOptions options)
         : writer_(path, std::move(options)), identity_(identity) {
         const auto schema = writer_.add_schema(std::string(mcap::scan_schema_name), "jsonschema",
-                                               std::string(mcap::scan_schema));
+                                               std::string(scan_schema));
         const auto add = [&](std::string_view topic, std::uint16_t of, std::string_view encoding) {
             return writer_.add_channel(std::string(topic), of, std::string(encoding));
         };

@@ -22,18 +22,6 @@ const char* name_of(Compression compression) {
     return "";
 }
 
-std::string packed(Compression compression, const std::string& records) {
-    switch (compression) {
-        case Compression::lz4:
-            return pack_lz4(records);
-        case Compression::zstd:
-            return pack_zstd(records);
-        case Compression::none:
-            break;
-    }
-    return records;
-}
-
 std::string numbers_by_channel(const std::map<std::uint16_t, std::uint64_t>& numbers) {
     ByteWriter map;
     for (const auto& [channel, number] : numbers)
@@ -96,7 +84,7 @@ void Writer::put(std::string_view bytes) {
 
 void Writer::end_chunk() {
     if (records_.empty()) return;
-    const std::string bytes = packed(options_.compression, records_);
+    const std::string bytes = pack(name_of(options_.compression), records_);
     const Chunk chunk{
         first_ns_, last_ns_, records_.size(), crc32(records_), name_of(options_.compression),
         bytes};

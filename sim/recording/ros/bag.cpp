@@ -72,57 +72,41 @@ struct FileRecord {
     [[nodiscard]] std::uint64_t end() const { return data_begin + data_size; }
 };
 
-Expected<std::string> unpacked_data(const std::string& compression, std::string_view data) {
-    if (compression == "none") return std::string(data);
-    if (compression == "bz2") return unpack_bzip2(data);
-    if (compression == "lz4") return unpack_lz4(data);
-    return refuse("is packed by " + quote(compression) + ", which is unknown");
-}
-
 class Bag final : public BlockRecording {
   public:
     explicit Bag(InputFile file) : BlockRecording("bag", std::move(file)) {}
 
     /// Finds the chunks and their times, with the index of a bag that was closed.
-    Expected<> read_layout();
+    void read_layout();
 
   private:
     /// The record that begins at this byte; nullopt where the file ends within it, and where none
     /// begins there.
     std::optional<FileRecord> read_head(std::uint64_t byte);
     void read_chunk_infos();
-    void take_record(const FileRecord& record, std::uint64_t byte);
+    std::optional<std::uint64_t> take_record(std::uint64_t byte) override;
+    std::optional<std::uint64_t> chunk_behind(std::uint64_t byte) override;
     void set_times(Block& chunk);
     void add_connection(const BagFields& fields, std::string_view data);
-    void unpack(const Block& block, Unpacked& unpacked) override;
+    Expected<std::string> records_of(std::string block) override;
+    Expected<> take_record(ByteReader& records, Unpacked& unpacked) override;
 
     std::map<std::uint64_t, Block> infos_;  ///< by the byte where the chunk begins
     bool knows_connections_ = false;        ///< from outside of chunks
 };
 
-Expected<> Bag::read_layout() {
+void Bag::read_layout() {
     read_chunk_infos();
-    for (std::uint64_t byte = bag_magic.size(); byte < file_.size();) {
-        const auto record = read_head(byte);
-        if (record && record->end() <= file_.size()) {
-            take_record(*record, byte);
-            byte = record->end();
-            continue;
-        }
-        const auto chunk = infos_.upper_bound(byte);
-        if (chunk == infos_.end()) {
-            warn(file_.name() + " ends within the record at byte " + std::to_string(byte) +
-                 ", which is lost: its recorder was stopped there");
-            break;
-        }
-        lose(file_.refuse_byte(
-            byte, "the record here is damaged, up to byte " + std::to_string(chunk->first)));
-        byte = chunk->first;
-    }
+    walk(bag_magic.size());
     for (Block& block : blocks_)
         set_times(block);
     begin(knows_connections_);
-    return {};
+}
+
+std::optional<std::uint64_t> Bag::chunk_behind(std::uint64_t byte) {
+    const auto chunk = infos_.upper_bound(byte);
+    if (chunk == infos_.end()) return std::nullopt;
+    return chunk->first;
 }
 
 std::optional<FileRecord> Bag::read_head(std::uint64_t byte) {
@@ -165,19 +149,22 @@ void Bag::read_chunk_infos() {
     }
 }
 
-void Bag::take_record(const FileRecord& record, std::uint64_t byte) {
-    const BagFields fields(record.header);
-    Block block{.byte = byte, .size = record.end() - byte};
+std::optional<std::uint64_t> Bag::take_record(std::uint64_t byte) {
+    const auto record = read_head(byte);
+    if (!record || record->end() > file_.size()) return std::nullopt;
+    const BagFields fields(record->header);
+    Block block{.byte = byte, .size = record->end() - byte};
     if (fields.operation() == Operation::chunk) {
         add_chunk(block);
     } else if (fields.operation() == Operation::message) {
         block.first = block.last = bag_time(fields, "time");
         add_loose(block);
-    } else if (fields.operation() == Operation::connection && record.data_size <= largest_block) {
-        const auto data = file_.read(record.data_begin, record.data_size);
+    } else if (fields.operation() == Operation::connection && record->data_size <= largest_block) {
+        const auto data = file_.read(record->data_begin, record->data_size);
         if (data) add_connection(fields, *data);
         knows_connections_ = true;
     }
+    return record->end();
 }
 
 /// By the index; the chunks of a bag that was not closed are unpacked to find their times.
@@ -188,8 +175,7 @@ void Bag::set_times(Block& block) {
         block.last = info->second.last;
         return;
     }
-    Unpacked unpacked;
-    unpack(block, unpacked);
+    const Unpacked unpacked = unpack(block);
     if (unpacked.messages.empty()) return;
     const auto [first, last] = std::ranges::minmax(unpacked.messages, {}, &Message::time);
     block.first = first.time;
@@ -197,37 +183,26 @@ void Bag::set_times(Block& block) {
 }
 
 void Bag::add_connection(const BagFields& fields, std::string_view data) {
-    const std::string topic = fields.text("topic");
-    const std::string type = BagFields(data).text("type");
-    if (!topics_.add(fields.number<std::uint32_t>("conn"), {topic, type, RosEncoding::ros1}))
-        leave_out(file_.name(), topic, type);
+    add_topic(fields.number<std::uint32_t>("conn"),
+              {fields.text("topic"), BagFields(data).text("type"), RosEncoding::ros1});
 }
 
-void Bag::unpack(const Block& block, Unpacked& unpacked) {
-    const std::string what = "the chunk of " + std::to_string(block.size) + " bytes ";
-    if (block.size > largest_block)
-        return lose(file_.refuse_byte(block.byte, what + "is larger than any of a bag"));
-    auto bytes = file_.read(block.byte, block.size);
-    if (!bytes) return lose(tl::unexpected(bytes.error()));
-    ByteReader head(*bytes);
-    const BagFields chunk(head.text());
-    if (chunk.operation() == Operation::chunk)
-        bytes = unpacked_data(chunk.text("compression"), head.text());
-    if (!bytes) return lose(file_.refuse_byte(block.byte, what + bytes.error().why));
-    unpacked.bytes = std::move(*bytes);
-    ByteReader records(unpacked.bytes);
-    while (!records.at_end()) {
-        const BagFields fields(records.text());
-        const std::string_view data = records.text();
-        if (records.too_short())
-            return lose(file_.refuse_byte(block.byte, what + "ends within a record"));
-        if (fields.operation() == Operation::connection) add_connection(fields, data);
-        const auto connection = fields.number<std::uint32_t>("conn");
-        if (fields.operation() != Operation::message || !topics_.has(connection)) continue;
-        const auto begin = static_cast<std::uint32_t>(data.data() - unpacked.bytes.data());
-        unpacked.messages.push_back(
-            {bag_time(fields, "time"), connection, begin, static_cast<std::uint32_t>(data.size())});
-    }
+Expected<std::string> Bag::records_of(std::string block) {
+    ByteReader head(block);
+    const BagFields fields(head.text());
+    if (fields.operation() != Operation::chunk) return block;
+    return sim::unpack(fields.text("compression"), head.text());
+}
+
+Expected<> Bag::take_record(ByteReader& records, Unpacked& unpacked) {
+    const BagFields fields(records.text());
+    const std::string_view data = records.text();
+    const auto connection = fields.number<std::uint32_t>("conn");
+    if (records.too_short()) return {};
+    if (fields.operation() == Operation::connection) add_connection(fields, data);
+    if (fields.operation() == Operation::message && has_topic(connection))
+        unpacked.add(bag_time(fields, "time"), connection, data);
+    return {};
 }
 
 }  // namespace
@@ -241,7 +216,7 @@ Expected<std::unique_ptr<Recording>> open_bag(InputFile file) {
                            "); convert it to 2.0: rosbag migrate FILE NEW.bag");
     }
     auto bag = std::make_unique<Bag>(std::move(file));
-    if (const auto read = bag->read_layout(); !read) return tl::unexpected(read.error());
+    bag->read_layout();
     return bag;
 }
 

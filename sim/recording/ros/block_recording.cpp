@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/recording/compression/compression.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -19,6 +21,30 @@ constexpr auto is_later = [](const auto& a, const auto& b) {
 };
 
 }  // namespace
+
+void BlockRecording::Unpacked::add(HostTime time, std::uint32_t channel, std::string_view data) {
+    messages.push_back({time, channel, static_cast<std::uint32_t>(data.data() - bytes.data()),
+                        static_cast<std::uint32_t>(data.size())});
+}
+
+bool BlockRecording::walk(std::uint64_t byte) {
+    while (byte < file_.size()) {
+        if (const auto end = take_record(byte)) {
+            byte = *end;
+            continue;
+        }
+        const auto chunk = chunk_behind(byte);
+        if (!chunk) {
+            warn(file_.name() + " ends within the record at byte " + std::to_string(byte) +
+                 ", which is lost: its recorder was stopped there");
+            return false;
+        }
+        lose(file_.refuse_byte(byte,
+                               "the record here is damaged, up to byte " + std::to_string(*chunk)));
+        byte = *chunk;
+    }
+    return true;
+}
 
 void BlockRecording::add_chunk(const Block& chunk) {
     blocks_.push_back(chunk);
@@ -40,10 +66,8 @@ void BlockRecording::add_loose(const Block& message) {
 void BlockRecording::begin(bool knows_channels) {
     const auto first = [](const Block& block) { return block.first; };
     if (!knows_channels && !std::ranges::is_sorted(blocks_, {}, first)) {
-        for (const Block& block : blocks_) {
-            Unpacked ignored;
-            unpack(block, ignored);
-        }
+        for (const Block& block : blocks_)
+            unpack(block);
     }
     std::ranges::stable_sort(blocks_, {}, first);
     if (blocks_.empty()) return;
@@ -51,9 +75,33 @@ void BlockRecording::begin(bool knows_channels) {
     open_block(blocks_[next_block_++]);
 }
 
-void BlockRecording::open_block(const Block& block) {
+BlockRecording::Unpacked BlockRecording::unpack(const Block& block) {
     Unpacked unpacked{.byte = block.byte};
-    unpack(block, unpacked);
+    const auto lose_block = [&](const std::string& why) {
+        lose(file_.refuse_byte(block.byte,
+                               "the chunk of " + std::to_string(block.size) + " bytes " + why));
+        return std::move(unpacked);
+    };
+    if (block.size > largest_block) return lose_block("is too large");
+    auto bytes = file_.read(block.byte, block.size);
+    if (!bytes) {
+        lose(tl::unexpected(bytes.error()));
+        return unpacked;
+    }
+    bytes = records_of(std::move(*bytes));
+    if (!bytes) return lose_block(bytes.error().why);
+    unpacked.bytes = std::move(*bytes);
+    ByteReader records(unpacked.bytes);
+    while (!records.at_end()) {
+        const auto taken = take_record(records, unpacked);
+        if (records.too_short()) return lose_block("ends within a record");
+        if (!taken) lose(file_.refuse_byte(block.byte, taken.error().why));
+    }
+    return unpacked;
+}
+
+void BlockRecording::open_block(const Block& block) {
+    Unpacked unpacked = unpack(block);
     if (unpacked.messages.empty()) return;
     std::ranges::stable_sort(unpacked.messages, {}, &Message::time);
     open_bytes_ += unpacked.bytes.size();

@@ -8,21 +8,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "sim/recording/file/input_file.h"
-#include "sim/recording/ros/laser_topics.h"
-#include "sim/recording/values/recording.h"
+#include "sim/recording/file/byte_reader.h"
+#include "sim/recording/ros/laser_recording.h"
 
 namespace scipd::sim {
 
-class BlockRecording : public Recording {
+class BlockRecording : public LaserRecording {
   public:
-    BlockRecording(std::string format, InputFile file)
-        : Recording(std::move(format)), file_(std::move(file)) {}
+    using LaserRecording::LaserRecording;
 
     void skip_ahead(std::chrono::nanoseconds since_first) final {
         if (begin_ < HostTime::max() - since_first) skip_to_ = begin_ + since_first;
@@ -48,8 +46,13 @@ class BlockRecording : public Recording {
         std::string bytes;
         std::vector<Message> messages;
         std::size_t next = 0;  ///< the message that is not yet given
+
+        void add(HostTime time, std::uint32_t channel, std::string_view data);
     };
 
+    /// Takes record after record of the file. Damage up to a chunk that the index names goes to
+    /// lose(). False where the file ends within a record, which gives a warning.
+    bool walk(std::uint64_t byte);
     void add_chunk(const Block& chunk);
     /// Adds a message that stands outside of chunks, in the order of the file.
     void add_loose(const Block& message);
@@ -57,19 +60,25 @@ class BlockRecording : public Recording {
     /// that are not in order are all unpacked once in the order of the file, since a message may
     /// need a channel that an earlier block describes.
     void begin(bool knows_channels);
+    /// Damage goes to lose().
+    Unpacked unpack(const Block& block);
 
-    /// Puts messages that may be wanted into `unpacked`. Damage goes to lose().
-    virtual void unpack(const Block& block, Unpacked& unpacked) = 0;
-    [[nodiscard]] virtual Next item_of(const Message& message, std::string_view data) {
-        return topics_.item(message.channel, message.time, data);
-    }
-
-    InputFile file_;
     std::vector<Block> blocks_;
-    LaserTopics topics_{{[this](RecordedStream one) { return add_stream(std::move(one)); },
-                         [this](std::size_t index) -> RecordedStream& { return stream(index); }}};
 
   private:
+    /// Takes the record of the file that begins at this byte, and returns where it ends; nullopt
+    /// where none begins, or the file ends within it.
+    virtual std::optional<std::uint64_t> take_record(std::uint64_t byte) = 0;
+    /// By the index.
+    [[nodiscard]] virtual std::optional<std::uint64_t> chunk_behind(std::uint64_t byte) = 0;
+    /// The records in the bytes of a block, unpacked.
+    [[nodiscard]] virtual Expected<std::string> records_of(std::string block) = 0;
+    /// Takes the next record of a block; messages that may be wanted go into `unpacked`.
+    virtual Expected<> take_record(ByteReader& records, Unpacked& unpacked) = 0;
+    [[nodiscard]] virtual Next item_of(const Message& message, std::string_view data) {
+        return laser_item(message.channel, message.time, data);
+    }
+
     Next do_next() final;
     void open_block(const Block& block);
     void open_early_blocks();

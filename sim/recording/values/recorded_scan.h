@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // One scan of a recording, exactly as it was recorded: no range is rounded, and no code is taken
-// for a range. A value; no thread rule.
+// for a range. Beside it the bytes of a conversation with a scanner. Values; no thread rule.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sim/recording/values/directions.h"
@@ -78,6 +79,17 @@ struct RecordedScan {
         const std::size_t end = echo_ends.empty() ? step + 1 : echo_ends[step];
         return std::span(values).subspan(begin, end - begin);
     }
+};
+
+enum class Way { to_scanner, from_scanner };
+
+/// Bytes as they were on the wire. Their meaning is not known here.
+struct RecordedBytes {
+    Way way = Way::from_scanner;
+    HostTime host_time{};  ///< when the recorder sent or got them
+    std::string bytes;
+
+    bool operator==(const RecordedBytes&) const = default;
 };
 
 /// A recorded value: a distance, or what stands in its place.

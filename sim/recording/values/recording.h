@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "sim/expected.h"
-#include "sim/recording/values/recorded_bytes.h"
 #include "sim/recording/values/recorded_scan.h"
 #include "sim/recording/values/scanner_identity.h"
 

@@ -6,7 +6,6 @@
 // create_recording.h makes one. Of one owner; any thread.
 #pragma once
 
-#include "sim/recording/values/recorded_bytes.h"
 #include "sim/recording/values/recorded_scan.h"
 
 namespace scipd::sim {

@@ -46,4 +46,10 @@ struct ScannerIdentity {
     return {};
 }
 
+/// An identity as entries, which formats of their own metadata hold: model, serial, and so on, then
+/// each line of the scanner's answers as VV.KEY, PP.KEY and II.KEY. Facts not known are left out.
+[[nodiscard]] Entries entries_of(const ScannerIdentity& identity);
+/// Leaves out entries of other keys.
+[[nodiscard]] ScannerIdentity identity_in(const Entries& entries);
+
 }  // namespace scipd::sim

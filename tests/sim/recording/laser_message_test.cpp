@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/recording/ros/laser_message.h"
+#include "sim/recording/ros/laser_recording.h"
 
 #include <bit>
 #include <cmath>

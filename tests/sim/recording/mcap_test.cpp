@@ -56,7 +56,7 @@ TEST(Mcap, OpensWhenItsWriterWasKilled) {
     const ReadBack back = read_back(ten_scans(directory, Compression::zstd, false));
     EXPECT_EQ(back.fault, "");
     EXPECT_THAT(back.scans(), SizeIs(9));  // the tenth was in no chunk yet
-    EXPECT_THAT(back.warnings, ElementsAre(HasSubstr("has no index: its writer was stopped")));
+    EXPECT_THAT(back.warnings, ElementsAre(HasSubstr("has no index: its recorder was stopped")));
 }
 
 /// Where the chunks of a file begin, and their sizes.

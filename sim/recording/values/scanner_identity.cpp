@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/recording/values/identity_entries.h"
+#include "sim/recording/values/scanner_identity.h"
 
 #include <array>
 #include <charconv>
