@@ -17,6 +17,8 @@
 namespace scipd::daemon {
 namespace {
 
+constexpr double deg_per_rad = 180.0 / std::numbers::pi;
+
 /// A product, described as a world describes a lidar.
 sim::Lidar figures_of(const Model& model) {
     constexpr double m_per_mm = 1e-3;
@@ -93,7 +95,6 @@ std::string range_text(const sim::Lidar& lidar) {
 }
 
 std::string angle_text(const sim::Lidar& lidar) {
-    constexpr double deg_per_rad = 180.0 / std::numbers::pi;
     return span(lidar.min_angle_rad * deg_per_rad, lidar.max_angle_rad * deg_per_rad, "deg");
 }
 
@@ -178,11 +179,54 @@ const Model& best_fit(const sim::Lidar& lidar) {
                                      [&](const Model& model) { return misfit(model, lidar); });
 }
 
+const Model* model_named_in(const std::string& text, const std::string& firmware) {
+    const Model* found = nullptr;
+    std::size_t longest = 0;
+    for (const Model& model : models()) {
+        const std::string name = model.profile.name.substr(0, model.profile.name.find('@'));
+        const bool whole = text == model.profile.model;
+        const std::size_t length = whole                          ? text.size()
+                                   : text.find(name) != text.npos ? name.size()
+                                                                  : 0;
+        const bool same_firmware = length == longest && model.profile.firmware == firmware;
+        if (length == 0 || (length <= longest && !same_firmware)) continue;
+        found = &model;
+        longest = length;
+    }
+    return found;
+}
+
+sim::Lidar recorded_lidar(const sim::Directions& directions, std::size_t steps,
+                          const sim::ScannerIdentity& identity, double rate_hz) {
+    const double first_rad = directions.first_rad.value_or(0.0);
+    const double last_rad =
+        first_rad + directions.increment_rad.value_or(0.0) * (static_cast<double>(steps) - 1.0);
+    return {.samples = static_cast<int>(steps),
+            .min_angle_rad = std::min(first_rad, last_rad),
+            .max_angle_rad = std::max(first_rad, last_rad),
+            .min_range_m = identity.min_range_m.value_or(0.0),
+            .max_range_m = identity.max_range_m.value_or(0.0),
+            .rate_hz = rate_hz};
+}
+
+std::string missing_in_best_fit(const sim::Lidar& lidar) {
+    if (lidar.samples < 2 || !(std::abs(step_rad(lidar)) > 0.0)) return {};
+    const sim::Lidar has = figures_of(best_fit(lidar));
+    std::string text;
+    const auto add = [&](const std::string& is, const std::string& wanted) {
+        text += (text.empty() ? "" : ", ") + is + " instead of " + wanted;
+    };
+    if (!has_directions(has, lidar)) add(angle_text(has), angle_text(lidar));
+    if (!has_steps(has, lidar))
+        add("steps of " + one(step_rad(has) * deg_per_rad, " deg"),
+            one(step_rad(lidar) * deg_per_rad, " deg"));
+    if (!has_range(has, lidar)) add(range_text(has), range_text(lidar));
+    return text;
+}
+
 Model recorded_model(const sim::Lidar& lidar) {
     const Model& like = best_fit(lidar);
-    const sim::Lidar has = figures_of(like);
-    if (lidar.samples < 2 || !(std::abs(step_rad(lidar)) > 0.0)) return like;
-    if (has_directions(has, lidar) && has_steps(has, lidar) && has_range(has, lidar)) return like;
+    if (missing_in_best_fit(lidar).empty()) return like;
     protocol::DeviceProfile profile = like.profile;
     profile.name = "recorded";
     profile.model = "recorded";

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "daemon/models/model.h"
+#include "sim/recording/values/directions.h"
 #include "sim/world/lidar.h"
 
 namespace scipd::daemon {
@@ -23,10 +24,22 @@ double misfit(const Model& model, const sim::Lidar& lidar);
 /// The product with the least misfit; of several the one that comes first in `--list-models`.
 const Model& best_fit(const sim::Lidar& lidar);
 
+/// The product that has a text as its model, or whose name is in it, such as UTM-30LX in "SOKUIKI
+/// Sensor TOP-URG UTM-30LX(Hokuyo ...)": the longest name, and of several such products the one with
+/// this firmware or else the first. Null: none.
+const Model* model_named_in(const std::string& text, const std::string& firmware = {});
+
+/// A recorded fan. The recording has its angles.
+sim::Lidar recorded_lidar(const sim::Directions& directions, std::size_t steps,
+                          const sim::ScannerIdentity& identity, double rate_hz);
+
 /// The model of a recorded lidar: the best fit if it has all of its directions, its range and its
 /// steps, or parts of them; else a scanner named `recorded` that speaks as the best fit does, and
 /// says in PP what the recording has. Its beams look to the nearest of its steps.
 Model recorded_model(const sim::Lidar& lidar);
+/// Directions, steps and range of a recorded lidar that the best fit does not have, as
+/// differences() reports them. Empty: recorded_model() is the best fit.
+std::string missing_in_best_fit(const sim::Lidar& lidar);
 
 /// "0.02 to 30 m instead of 0.12 to 3.5 m, 1081 steps instead of 360"; empty if there are none.
 std::string differences(const Model& model, const sim::Lidar& lidar);

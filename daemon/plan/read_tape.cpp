@@ -286,32 +286,6 @@ class Loss {
     double farthest_m_ = 0.0;
 };
 
-/// "UTM-30LX" in "SOKUIKI Sensor TOP-URG UTM-30LX(Hokuyo ..)": the longest name that is in it.
-std::optional<Model> named_in(const std::string& text) {
-    std::optional<Model> found;
-    std::size_t longest = 0;
-    for (const Model& model : models()) {
-        const std::string name = model.profile.name.substr(0, model.profile.name.find('@'));
-        if (name.size() <= longest || text.find(name) == text.npos) continue;
-        found = model;
-        longest = name.size();
-    }
-    return found;
-}
-
-sim::Lidar lidar_of(const RecordedScan& scan, const sim::ScannerIdentity& identity,
-                    double rate_hz) {
-    const double first_rad = *scan.directions.first_rad;
-    const double last_rad =
-        first_rad + *scan.directions.increment_rad * (static_cast<double>(scan.steps()) - 1.0);
-    return {.samples = static_cast<int>(scan.steps()),
-            .min_angle_rad = std::min(first_rad, last_rad),
-            .max_angle_rad = std::max(first_rad, last_rad),
-            .min_range_m = identity.min_range_m.value_or(0.0),
-            .max_range_m = identity.max_range_m.value_or(0.0),
-            .rate_hz = rate_hz};
-}
-
 double rate_between(const Moment& a, const Moment& b) {
     const auto apart = between(a, b, sim::Time::zero());
     return apart > sim::Time::zero() ? 1.0 / std::chrono::duration<double>(apart).count() : 0.0;
@@ -369,8 +343,8 @@ RecordedScanner recorded_scanner(const ReplayConfig& replay) {
     RecordedScanner scanner{
         .identity = reader.identity(), .first = scan.host_time, .logged = reader.logged()};
     if (!replay.finds_model) return scanner;
-    if (auto model = named_in(scanner.identity.model)) {
-        scanner.model = *std::move(model);
+    if (const Model* const model = model_named_in(scanner.identity.model)) {
+        scanner.model = *model;
         return scanner;
     }
     if (!scan.directions.first_rad || !scan.directions.increment_rad) {
@@ -380,7 +354,8 @@ RecordedScanner recorded_scanner(const ReplayConfig& replay) {
     }
     const RecordedScan* const second = reader.next();
     const double rate_hz = second == nullptr ? 0.0 : rate_between(Moment(scan), Moment(*second));
-    scanner.model = recorded_model(lidar_of(scan, scanner.identity, rate_hz));
+    scanner.model = recorded_model(
+        recorded_lidar(scan.directions, scan.steps(), scanner.identity, rate_hz));
     return scanner;
 }
 

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "tools/analysis/scan_table.h"
 #include "tools/options.h"
 #include "tools/output_file.h"
 #include "tools/scipcat/compare/comparison_report.h"
 #include "tools/scipcat/compare_picture.h"
 #include "tools/scipcat/compare_take.h"
-#include "tools/scipcat/recording_target.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scipcat_commands.h"
 

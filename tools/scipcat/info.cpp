@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/analysis/scan_table.h"
 #include "tools/options.h"
 #include "tools/scipcat/recording_info.h"
-#include "tools/scipcat/recording_target.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scipcat_commands.h"
 

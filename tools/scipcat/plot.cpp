@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tools/analysis/scan_table.h"
 #include "tools/options.h"
 #include "tools/page.h"
 #include "tools/safe_output.h"
@@ -17,8 +18,6 @@
 #include "tools/scipcat/plot_text.h"
 #include "tools/scipcat/point_colours.h"
 #include "tools/scipcat/polar_plot.h"
-#include "tools/scipcat/recorded_model.h"
-#include "tools/scipcat/recording_target.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scipcat_commands.h"
 #include "tools/scipcat/terminal_plot.h"

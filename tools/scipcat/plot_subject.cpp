@@ -7,10 +7,11 @@
 #include <variant>
 #include <vector>
 
+#include "daemon/models/model_registry.h"
 #include "daemon/recording/scip_values.h"
+#include "tools/analysis/scan_table.h"
 #include "tools/local_time.h"
 #include "tools/options.h"
-#include "tools/scipcat/recording_target.h"
 
 namespace scipd::tools {
 namespace {
@@ -26,6 +27,20 @@ std::string dotted(const std::vector<std::string>& parts) {
 
 std::string with_word(const std::string& word, const std::string& value) {
     return value.empty() ? value : word + " " + value;
+}
+
+template <class Value>
+void fill(std::optional<Value>& known, Value value) {
+    if (!known) known = value;
+}
+
+void fill(sim::ScannerIdentity& identity, const protocol::DeviceProfile& profile) {
+    constexpr double m_per_mm = 1e-3;
+    if (identity.model.empty()) identity.model = profile.name.substr(0, profile.name.find('@'));
+    fill(identity.min_range_m, profile.dmin_mm * m_per_mm);
+    fill(identity.max_range_m, profile.dmax_mm * m_per_mm);
+    fill(identity.steps_per_turn, profile.ares);
+    fill(identity.front_step, profile.afrt);
 }
 
 }  // namespace
@@ -50,6 +65,22 @@ PlotSubject subject_of(const std::string& file, std::uint64_t number) {
         auto& scan = std::get<sim::RecordedScan>((*item)->what);
         return {std::move(scan), recording->streams()[(*item)->stream].identity};
     }
+}
+
+void take_for_model(PlotSubject& subject, const std::string& name) {
+    const auto model = daemon::model_named(name);
+    if (!model) throw WrongInput("--model: " + model.error().why);
+    const protocol::DeviceProfile& profile = model->profile;
+    fill(subject.identity, profile);
+    sim::Directions& directions = subject.scan.directions;
+    if (directions.first_rad && directions.increment_rad) return;
+    const auto steps = static_cast<std::size_t>(profile.amax - profile.amin + 1);
+    if (!directions.first_step && subject.scan.steps() != steps)
+        throw WrongInput("the scan does not say where its " + std::to_string(subject.scan.steps()) +
+                         " values look, and " + name + " has " + std::to_string(steps) +
+                         " steps; name the model that it was recorded from");
+    if (!directions.first_step) directions.first_step = profile.amin;
+    directions = sim::with_angles(directions, subject.identity);
 }
 
 std::string scanner_text(const PlotSubject& subject) {

@@ -25,6 +25,11 @@ struct PlotSubject {
 /// The scan with this number, from 1. Throws WrongInput.
 [[nodiscard]] PlotSubject subject_of(const std::string& recording, std::uint64_t number);
 
+/// The scan looks where the model's steps do, and its limits are the model's, as far as the
+/// recording says nothing else: as `scipd --replay --model` takes it. Throws WrongInput where there
+/// is no such model, or the scan has not as many values as the model has steps.
+void take_for_model(PlotSubject& subject, const std::string& model);
+
 /// Which scanner, and which scan, as far as they are known.
 [[nodiscard]] std::string scanner_text(const PlotSubject& subject);
 [[nodiscard]] std::string scan_text(const PlotSubject& subject);

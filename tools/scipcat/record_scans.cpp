@@ -5,9 +5,9 @@
 #include <chrono>
 #include <exception>
 
+#include "tools/scan_progress.h"
 #include "tools/scipcat/live_recording.h"
 #include "tools/scipcat/running_stream.h"
-#include "tools/scipcat/scan_progress.h"
 
 namespace scipd::tools {
 namespace {

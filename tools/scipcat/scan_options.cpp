@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tools/analysis/scan_table.h"
 #include "tools/options.h"
-#include "tools/scipcat/recording_target.h"
 #include "tools/target.h"
 
 namespace scipd::tools {

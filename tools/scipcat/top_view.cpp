@@ -9,44 +9,27 @@
 namespace scipd::tools {
 namespace {
 
-using sim::RangeUnit;
 using sim::RecordedScan;
 using sim::ScannerIdentity;
 
-/// Where the values of a scan look, and which of them are distances.
-class Placing {
-  public:
-    Placing(const RecordedScan& scan, const ScannerIdentity& identity)
-        : scan_(scan), identity_(identity) {}
+/// The angle from one value to the next.
+double increment_rad(const RecordedScan& scan) {
+    return *scan.directions.increment_rad;
+}
+double step_rad(const RecordedScan& scan) {
+    return increment_rad(scan) / scan.directions.cluster;
+}
 
-    /// From one value to the next.
-    [[nodiscard]] double increment_rad() const { return *scan_.directions.increment_rad; }
-    [[nodiscard]] double step_rad() const { return increment_rad() / scan_.directions.cluster; }
-    [[nodiscard]] double first_rad() const { return *scan_.directions.first_rad; }
-
-    /// Nothing where the value is no distance.
-    [[nodiscard]] std::optional<ViewPoint> point(std::size_t group, int echo, double value) const {
-        const double range_m = scan_.unit == RangeUnit::metres ? value : value / 1000.0;
-        const bool is_distance = std::isfinite(range_m) && range_m > 0 &&
-                                 range_m >= identity_.min_range_m.value_or(0) &&
-                                 range_m <= identity_.max_range_m.value_or(range_m);
-        if (!is_distance) return std::nullopt;
-        const int cluster = scan_.directions.cluster;
-        const double middle = (cluster - 1) / 2.0;
-        const double angle_rad =
-            first_rad() + middle * step_rad() + static_cast<double>(group) * increment_rad();
-        return ViewPoint{
-            .x_m = range_m * std::cos(angle_rad),
+/// The point of a distance, in the middle of its group of steps.
+ViewPoint point_of(const RecordedScan& scan, std::size_t group, double range_m) {
+    const int cluster = scan.directions.cluster;
+    const double angle_rad = *scan.directions.first_rad + (cluster - 1) / 2.0 * step_rad(scan) +
+                             static_cast<double>(group) * increment_rad(scan);
+    return {.x_m = range_m * std::cos(angle_rad),
             .y_m = range_m * std::sin(angle_rad),
             .range_m = range_m,
-            .step = scan_.directions.first_step.value_or(0) + static_cast<int>(group) * cluster,
-            .echo = echo};
-    }
-
-  private:
-    const RecordedScan& scan_;
-    const ScannerIdentity& identity_;
-};
+            .step = scan.directions.first_step.value_or(0) + static_cast<int>(group) * cluster};
+}
 
 /// Two neighbours count as one surface if they are no farther apart than on a wall that the beam
 /// hits at about 7 degrees. A constant is added for noise.
@@ -62,25 +45,27 @@ std::uint32_t intensity_of(std::span<const double> intensities, std::size_t echo
     return static_cast<std::uint32_t>(std::clamp(intensities[echo], 0.0, 4e9));
 }
 
-void add_points(TopView& view, const RecordedScan& scan, const Placing& placing) {
+void add_points(TopView& view, const RecordedScan& scan, const ScannerIdentity& identity) {
     bool adjacent = false;
     for (std::size_t i = 0; i < scan.steps(); ++i) {
         const auto ranges = scan.ranges_of(i);
         const auto intensities = scan.intensities_of(i);
         bool has_first = false;
         for (std::size_t echo = 0; echo < ranges.size(); ++echo) {
-            auto point = placing.point(i, static_cast<int>(echo), ranges[echo]);
-            if (!point) continue;
-            point->intensity = intensity_of(intensities, echo);
+            const auto reading = sim::reading_of(ranges[echo], scan.unit, identity);
+            if (reading.kind != sim::RecordedReading::Kind::distance) continue;
+            ViewPoint point = point_of(scan, i, reading.range_m);
+            point.echo = static_cast<int>(echo);
+            point.intensity = intensity_of(intensities, echo);
             if (echo > 0) {
-                view.further.push_back(*point);
+                view.further.push_back(point);
                 continue;
             }
             has_first = true;
-            point->adjacent = adjacent;
-            point->joined =
-                adjacent && on_one_surface(view.points.back(), *point, placing.increment_rad());
-            view.points.push_back(*point);
+            point.adjacent = adjacent;
+            point.joined =
+                adjacent && on_one_surface(view.points.back(), point, increment_rad(scan));
+            view.points.push_back(point);
         }
         adjacent = has_first;
     }
@@ -115,14 +100,13 @@ void Bounds::widen(double margin_m) {
 }
 
 TopView make_top_view(const RecordedScan& scan, const ScannerIdentity& identity) {
-    const Placing placing(scan, identity);
-    const double first_rad = placing.first_rad();
-    const double all_rad = static_cast<double>(scan.steps()) * placing.increment_rad();
+    const double first_rad = *scan.directions.first_rad;
+    const double all_rad = static_cast<double>(scan.steps()) * increment_rad(scan);
     TopView view{.directions = scan.steps(),
                  .first_angle_rad = first_rad,
-                 .last_angle_rad = first_rad + all_rad - placing.step_rad(),
+                 .last_angle_rad = first_rad + all_rad - step_rad(scan),
                  .has_intensity = !scan.intensities.empty()};
-    add_points(view, scan, placing);
+    add_points(view, scan, identity);
     view.bounds = bounds_of(view);
     return view;
 }

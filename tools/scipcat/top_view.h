@@ -54,7 +54,7 @@ struct TopView {
     std::vector<std::string> materials;  ///< names that the world has, in its order, if it is known
 };
 
-/// A value outside the scanner's DMIN to DMAX is no distance and leaves no point. The scan knows
+/// A value that is no distance (sim::reading_of) leaves no point. The scan knows
 /// where it looks.
 [[nodiscard]] TopView make_top_view(const sim::RecordedScan& scan,
                                     const sim::ScannerIdentity& identity);

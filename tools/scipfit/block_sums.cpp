@@ -35,8 +35,8 @@ void add_scan(const Station& station, const std::vector<float>& now, std::size_t
 
 }  // namespace
 
-StationSums sums_of(const Readings& readings, const Station& station) {
-    StationSums sums{.chunks = std::min(most_chunks, station.scans()), .beams = readings.steps};
+StationSums sums_of(const ScanTable& readings, const Station& station) {
+    StationSums sums{.chunks = std::min(most_chunks, station.scans()), .beams = readings.beams};
     const std::size_t size = sums.chunks * sums.beams;
     for (auto* table : {&sums.count, &sums.squares, &sums.after, &sums.equal})
         table->assign(size, 0.0F);
@@ -50,13 +50,13 @@ StationSums sums_of(const Readings& readings, const Station& station) {
     for (std::size_t scan = station.first; scan < station.end; ++scan) {
         const std::size_t chunk = (scan - station.first) * sums.chunks / station.scans();
         for (std::size_t beam = 0; beam < sums.beams; ++beam) {
-            const float mm = readings.at(scan, beam);
+            const float mm = readings.range_mm(scan, beam);
             const bool counts = station.beams[beam].inside && is_distance(mm);
             now[beam] = counts
                             ? static_cast<float>(station.residual_mm(mm, scan, station.beams[beam]))
                             : none;
             const std::size_t at = sums.at(chunk, beam);
-            if (counts && beam + 1 < sums.beams && mm == readings.at(scan, beam + 1))
+            if (counts && beam + 1 < sums.beams && mm == readings.range_mm(scan, beam + 1))
                 sums.equal[at] += 1.0F;
             if (!std::isnan(now[beam]) && !std::isnan(before[beam]))
                 sums.after[at] += now[beam] * before[beam];

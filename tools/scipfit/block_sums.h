@@ -35,7 +35,7 @@ struct StationSums {
     }
 };
 
-[[nodiscard]] StationSums sums_of(const Readings& readings, const Station& station);
+[[nodiscard]] StationSums sums_of(const ScanTable& readings, const Station& station);
 
 /// How often each block counts.
 class Weights {

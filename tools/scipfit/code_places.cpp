@@ -8,9 +8,9 @@
 namespace scipd::tools {
 namespace {
 
-void count(const Readings& readings, std::size_t scan, std::size_t step, CodeCounts& counts) {
-    const bool before = step > 0 && is_distance(readings.at(scan, step - 1));
-    const bool after = step + 1 < readings.steps && is_distance(readings.at(scan, step + 1));
+void count(const ScanTable& readings, std::size_t scan, std::size_t step, CodeCounts& counts) {
+    const bool before = step > 0 && is_distance(readings.range_mm(scan, step - 1));
+    const bool after = step + 1 < readings.beams && is_distance(readings.range_mm(scan, step + 1));
     if (before && after)
         counts.edge += 1.0;
     else if (before || after)
@@ -26,18 +26,18 @@ std::uint32_t CodeShares::usual() const {
         ->first;
 }
 
-CodeShares codes_of(const Readings& readings) {
+CodeShares codes_of(const ScanTable& readings) {
     CodeShares shares;
     for (std::size_t scan = 0; scan < readings.scans(); ++scan) {
-        for (std::size_t step = 0; step < readings.steps; ++step) {
-            const float mm = readings.at(scan, step);
+        for (std::size_t step = 0; step < readings.beams; ++step) {
+            const Code code = readings.code(scan, step);
             shares.readings += 1.0;
-            if (is_distance(mm)) continue;
+            if (code == codes::distance) continue;
             count(readings, scan, step, shares.all);
-            if (!readings.has_codes || mm == no_value) continue;
-            CodeCounts& counts = shares.codes[code_of(mm)];
+            if (code < 0) continue;
+            CodeCounts& counts = shares.codes[static_cast<std::uint32_t>(code)];
             count(readings, scan, step, counts);
-            if (step > 0 && readings.at(scan, step - 1) == mm) counts.pairs += 1.0;
+            if (step > 0 && readings.code(scan, step - 1) == code) counts.pairs += 1.0;
         }
     }
     return shares;

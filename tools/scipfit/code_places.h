@@ -23,7 +23,7 @@ struct CodeCounts {
 };
 
 struct CodeShares {
-    std::map<std::uint32_t, CodeCounts> codes;  ///< empty where the recording is in metres
+    std::map<std::uint32_t, CodeCounts> codes;  ///< empty if the recording has no codes
     CodeCounts all;                             ///< of them
     double readings = 0;
 
@@ -31,7 +31,7 @@ struct CodeShares {
     [[nodiscard]] std::uint32_t usual() const;
 };
 
-[[nodiscard]] CodeShares codes_of(const Readings& readings);
+[[nodiscard]] CodeShares codes_of(const ScanTable& readings);
 
 /// How often a beam that sees a smooth face tells no distance.
 struct LostBeams {

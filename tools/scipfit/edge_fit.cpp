@@ -100,7 +100,7 @@ std::optional<Drift> relative_drift(const Standing& standing) {
         if (count > 0.0) drifts.push_back(sum / count);
     }
     if (drifts.size() < least_blocks) return std::nullopt;
-    return Drift{mean_of(drifts), standing.readings->period_s * scans, station.scans()};
+    return Drift{mean_of(drifts), standing.readings->period_s() * scans, station.scans()};
 }
 
 }  // namespace scipd::tools

@@ -61,16 +61,16 @@ void tell_what_one_place_cannot(const Fit& fit, Unknowns& unknown) {
                        "a recording from the cold start on, before a target that does not move"});
 }
 
-void tell_what_is_missing(const Readings& readings, Fit& fit) {
+void tell_what_is_missing(const ScanTable& readings, Fit& fit) {
     Unknowns& unknown = fit.unknown;
     if (!fit.kind.known)
         unknown.push_back({"model", fit.kind.from, "--model, or a recording by scipcat record"});
-    if (!readings.has_intensities)
+    if (!readings.has_intensities())
         unknown.push_back(
             {"i0", "the recording has no intensities", "scipcat record with --intensity"});
     if (!readings.has_codes)
         unknown.push_back(
-            {"codes", "the recording is in metres, without the scanner's codes", "scipcat record"});
+            {"codes", "the recording has none of the scanner's codes", "scipcat record"});
     if (!fit.lattice.known)
         unknown.push_back({"lattice",
                            "too few distances lie close together, or they are not evenly apart",
@@ -124,7 +124,7 @@ void find_bias(const Standing& standing, const Given& given, Fit& fit) {
 
 }  // namespace
 
-Standing look_at(const Readings& readings) {
+Standing look_at(const ScanTable& readings) {
     Standing standing{&readings, stations_of(readings), {}};
     for (const Station& station : standing.stations)
         standing.sums.push_back(sums_of(readings, station));
@@ -132,7 +132,7 @@ Standing look_at(const Readings& readings) {
 }
 
 Fit fit_scanner(const Standing& standing, const Kind& kind, const Given& given) {
-    const Readings& readings = *standing.readings;
+    const ScanTable& readings = *standing.readings;
     Fit fit{.kind = kind, .files = readings.files, .all_scans = readings.scans()};
     for (const Station& station : standing.stations)
         fit.scans += station.scans();

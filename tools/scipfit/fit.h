@@ -48,7 +48,7 @@ struct Fit {
 
 /// The parts of a recording that estimates need. The readings must be complete (kind.h), and
 /// outlive it.
-[[nodiscard]] Standing look_at(const Readings& readings);
+[[nodiscard]] Standing look_at(const ScanTable& readings);
 
 /// What somebody has measured beside the recordings.
 struct Given {

@@ -19,7 +19,6 @@
 #include "tools/scipfit/fit_text.h"
 #include "tools/scipfit/known_length.h"
 #include "tools/scipfit/profile_yaml.h"
-#include "tools/scipfit/read_readings.h"
 #include "tools/scipfit/report_html.h"
 #include "tools/scipfit/room_report.h"
 #include "tools/scipfit/room_sdf.h"
@@ -137,7 +136,10 @@ void fit(const FitOptions& options) {
     if (!options.world.empty())
         given.world = &world.emplace(
             load_known_world(options.world, daemon::stock_models(), stock_materials()));
-    Readings readings = read_readings(options.files, options.stream);
+    ScanTable readings;
+    for (const std::filesystem::path& file : options.files)
+        read_scans(*open_recorded(file.string()), file.string(),
+                   {.stream = options.stream, .echo = Echo::brightest}, readings);
     const Kind kind = kind_of(readings, options.model);
     complete(*kind.model, readings);
     const Standing standing = look_at(readings);

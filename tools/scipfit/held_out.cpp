@@ -52,9 +52,9 @@ void judge(const BeamTest& test, const NoiseModel& model, double constant_mm, do
 /// Fits to one half, and judges with the other.
 void judge_half(const Standing& standing, const NoiseModel& kind, const sim::SensorSpec& sheet,
                 int fitted_half, Score& score) {
-    const Readings& readings = *standing.readings;
+    const ScanTable& readings = *standing.readings;
     const auto samples = [&](int which) {
-        return samples_of(standing.stations, standing.sums, readings.beam_rad,
+        return samples_of(standing.stations, standing.sums, readings.beam_rad(),
                           Weights::half(standing.sums, which), kind.by_intensity);
     };
     const auto learned = samples(fitted_half);
@@ -70,11 +70,11 @@ void judge_half(const Standing& standing, const NoiseModel& kind, const sim::Sen
         const StationSums& sums = standing.sums[i];
         for (std::size_t beam = 0; beam < sums.beams; ++beam) {
             const Beam& seen = station.beams[beam];
-            if (!tells_noise(seen, readings.beam_rad, kind.by_intensity)) continue;
+            if (!tells_noise(seen, readings.beam_rad(), kind.by_intensity)) continue;
             BeamTest test{{}, {seen.mean_mm, seen.intensity, seen.slope_mm, 0.0, 0.0}};
             for (std::size_t scan = station.first; scan < station.end; ++scan) {
                 const std::size_t chunk = (scan - station.first) * sums.chunks / station.scans();
-                const float mm = readings.at(scan, beam);
+                const float mm = readings.range_mm(scan, beam);
                 if (weights.of(i, chunk, beam) > 0.0F && is_distance(mm)) test.mm.push_back(mm);
             }
             if (test.mm.size() < 8) continue;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "daemon/models/model.h"
-#include "tools/scipfit/readings.h"
+#include "tools/analysis/scan_table.h"
 
 namespace scipd::tools {
 
@@ -19,10 +19,11 @@ struct Kind {
 
 /// `named`: what the user says; empty: what the recording says, else the model whose steps, angles,
 /// range and codes come closest. Throws WrongInput where there is no such model.
-[[nodiscard]] Kind kind_of(const Readings& readings, const std::string& named);
+[[nodiscard]] Kind kind_of(const ScanTable& readings, const std::string& named);
 
 /// Takes from the model what the recording does not say of its steps and limits, and makes codes of
-/// what is beyond the limits.
-void complete(const daemon::Model& model, Readings& readings);
+/// what is beyond the limits. If the recording has codes, the model's stand where a format has NaN,
+/// an infinity or 0 for them.
+void complete(const daemon::Model& model, ScanTable& readings);
 
 }  // namespace scipd::tools

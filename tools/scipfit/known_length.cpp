@@ -20,9 +20,9 @@ constexpr double tape_mm = 1.0;
 constexpr double most_mm = 100.0;
 constexpr double most_share = 0.05;
 
-const Beam& beam_at(int step, const Readings& readings, const std::vector<Station>& stations) {
-    const int index = step - readings.first_step;
-    if (index < 0 || static_cast<std::size_t>(index) >= readings.steps)
+const Beam& beam_at(int step, const ScanTable& readings, const std::vector<Station>& stations) {
+    const int index = (step - readings.step_of(0)) / readings.directions.cluster;
+    if (step < readings.step_of(0) || static_cast<std::size_t>(index) >= readings.beams)
         throw WrongInput("--length: step " + std::to_string(step) + " is not recorded");
     const Beam* const beam =
         stations.empty() ? nullptr : &stations[0].beams[static_cast<std::size_t>(index)];
@@ -41,13 +41,14 @@ std::optional<int> whole_number(std::string_view text) {
 
 }  // namespace
 
-BiasAt bias_by(const Length& length, const Readings& readings,
+BiasAt bias_by(const Length& length, const ScanTable& readings,
                const std::vector<Station>& stations) {
     const Beam& a = beam_at(length.from_step, readings, stations);
     const Beam& b = beam_at(length.to_step, readings, stations);
     // The law of cosines in x, what both are read too far:
     // L² = (a-x)² + (b-x)² - 2 (a-x)(b-x) cos w, which is a square equation.
-    const double w = readings.beam_rad * (length.to_step - length.from_step);
+    const double w =
+        readings.beam_rad() * (length.to_step - length.from_step) / readings.directions.cluster;
     const double k = 2.0 * (1.0 - std::cos(w));
     const double sum = a.mean_mm + b.mean_mm;
     const double target = 1000.0 * length.metres;

@@ -28,7 +28,7 @@ struct BiasAt {
 /// One length tells one number: what both of its ends are read too far, at their mean range. Throws
 /// WrongInput where a step is not recorded or sees nothing that stands still, and where no bias
 /// makes it that long.
-[[nodiscard]] BiasAt bias_by(const Length& length, const Readings& readings,
+[[nodiscard]] BiasAt bias_by(const Length& length, const ScanTable& readings,
                              const std::vector<Station>& stations);
 
 /// "120:960=3.2m". Throws WrongInput.

@@ -10,7 +10,7 @@
 namespace scipd::tools {
 namespace {
 
-constexpr std::size_t farthest_mm = 65536;
+constexpr std::size_t range_end_mm = 65536;
 /// A cell of a millimetre is judged by so many on either side.
 constexpr std::size_t around = 12;
 
@@ -23,10 +23,10 @@ struct Cell {
 constexpr double sure = 15.0;
 
 /// How often each millimetre occurs.
-std::vector<double> counts_of(const Readings& readings) {
-    std::vector<double> count(farthest_mm, 0.0);
-    for (const float mm : readings.mm) {
-        if (is_distance(mm) && mm < static_cast<float>(farthest_mm))
+std::vector<double> counts_of(const ScanTable& readings) {
+    std::vector<double> count(range_end_mm, 0.0);
+    for (const float mm : readings.ranges_mm) {
+        if (is_distance(mm) && mm < static_cast<float>(range_end_mm))
             count[static_cast<std::size_t>(mm)] += 1.0;
     }
     return count;
@@ -42,7 +42,7 @@ std::vector<Cell> cells_of(const std::vector<double>& count) {
         below += count[i];
         above += count[around + 1 + i];
     }
-    for (std::size_t mm = around; mm + around + 1 < farthest_mm; ++mm) {
+    for (std::size_t mm = around; mm + around + 1 < range_end_mm; ++mm) {
         const double mean = (below + count[mm] + above) / (2 * around + 1);
         // At the foot of a wall's distances there is nothing to one side.
         if (mean > sure && std::min(below, above) > least_side * around * mean)
@@ -56,7 +56,7 @@ std::vector<Cell> cells_of(const std::vector<double>& count) {
 /// The cells around multiples of so many millimetres that occur often, as those beside them do.
 Lattice of_whole_mm(std::size_t spacing_mm, const std::vector<double>& count) {
     Lattice lattice{.spacing_mm = static_cast<double>(spacing_mm)};
-    for (std::size_t mm = spacing_mm; mm + spacing_mm < farthest_mm; mm += spacing_mm) {
+    for (std::size_t mm = spacing_mm; mm + spacing_mm < range_end_mm; mm += spacing_mm) {
         if (std::min({count[mm - spacing_mm], count[mm], count[mm + spacing_mm]}) < sure) continue;
         lattice.cells += spacing_mm;
         lattice.missing += static_cast<std::size_t>(
@@ -74,7 +74,7 @@ Lattice whole_lattice(const std::vector<double>& count) {
     const double all = std::accumulate(count.begin(), count.end(), 0.0);
     for (std::size_t spacing_mm = largest_mm; spacing_mm > 1; --spacing_mm) {
         double on = 0.0;
-        for (std::size_t mm = 0; mm < farthest_mm; mm += spacing_mm)
+        for (std::size_t mm = 0; mm < range_end_mm; mm += spacing_mm)
             on += count[mm];
         if (on < nearly * all) continue;
         Lattice lattice = of_whole_mm(spacing_mm, count);
@@ -132,7 +132,7 @@ double Lattice::rounding_mm2(bool whole_mm) const {
     return of_lattice + left;
 }
 
-Lattice lattice_of(const Readings& readings) {
+Lattice lattice_of(const ScanTable& readings) {
     constexpr double least_missing = 0.08;
     constexpr double most_uneven = 0.15;
     constexpr std::size_t least_cells = 50;

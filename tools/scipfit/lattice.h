@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "tools/scipfit/readings.h"
+#include "tools/analysis/scan_table.h"
 
 namespace scipd::tools {
 
@@ -20,6 +20,6 @@ struct Lattice {
     [[nodiscard]] double rounding_mm2(bool whole_mm) const;
 };
 
-[[nodiscard]] Lattice lattice_of(const Readings& readings);
+[[nodiscard]] Lattice lattice_of(const ScanTable& readings);
 
 }  // namespace scipd::tools

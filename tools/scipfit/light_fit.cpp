@@ -8,7 +8,7 @@
 namespace scipd::tools {
 namespace {
 
-constexpr std::size_t least_beams = 12;
+constexpr std::size_t least_lit_beams = 12;
 
 /// One beam's light over the time of a station.
 struct BeamLight {
@@ -17,21 +17,20 @@ struct BeamLight {
 
 /// Around the mean of the scans before and behind: light that drifts is no noise.
 BeamLight light_of(const Standing& standing, const Station& station, std::size_t step) {
-    const Readings& readings = *standing.readings;
+    const ScanTable& readings = *standing.readings;
     const Beam& beam = station.beams[step];
     double squares = 0.0;
     double count = 0.0;
     for (std::size_t scan = station.first + 1; scan < station.end; ++scan) {
-        if (!is_distance(readings.at(scan, step)) || !is_distance(readings.at(scan - 1, step)))
-            continue;
-        const double difference = readings.intensity[scan * readings.steps + step] -
-                                  readings.intensity[(scan - 1) * readings.steps + step];
+        const double difference =
+            readings.intensity(scan, step) - readings.intensity(scan - 1, step);
+        if (std::isnan(difference)) continue;
         squares += difference * difference;
         count += 1.0;
     }
     const double rounding = 1.0 / 12.0;  // intensities are whole numbers
     const double variance = count > 0.0 ? std::max(0.0, 0.5 * squares / count - rounding) : 0.0;
-    const double tangent = beam.slope_mm / (beam.mean_mm * readings.beam_rad);
+    const double tangent = beam.slope_mm / (beam.mean_mm * readings.beam_rad());
     return {beam.mean_mm, beam.intensity, beam.intensity * std::sqrt(1.0 + tangent * tangent),
             std::sqrt(variance) / std::max(1.0, beam.intensity)};
 }
@@ -52,7 +51,7 @@ Interval middle_of(std::vector<double> values) {
 /// Cuts what is sorted into groups of the size that is left over, and hands out each.
 template <class Value, class Take>
 void in_groups(const std::vector<Value>& sorted, std::size_t groups, const Take& take) {
-    groups = std::min(groups, sorted.size() / least_beams);
+    groups = std::min(groups, sorted.size() / least_lit_beams);
     for (std::size_t i = 0; i < groups; ++i) {
         const auto at = [&](std::size_t group) {
             return sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * group / groups);
@@ -74,7 +73,7 @@ std::vector<double> each(const std::vector<BeamLight>& lights, Member member) {
 LightFit fit_light(const Standing& standing) {
     constexpr std::size_t most_groups = 6;
     LightFit fit;
-    if (!standing.readings->has_intensities) return fit;
+    if (!standing.readings->has_intensities()) return fit;
     std::vector<BeamLight> lights;
     for (const Station& station : standing.stations) {
         for (std::size_t step = 0; step < station.beams.size(); ++step) {

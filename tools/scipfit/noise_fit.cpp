@@ -51,7 +51,7 @@ void tell_extent(NoiseFit& fit) {
 
 std::vector<LawSample> samples_in(const Standing& standing, const Weights& weights,
                                   bool by_intensity) {
-    return samples_of(standing.stations, standing.sums, standing.readings->beam_rad, weights,
+    return samples_of(standing.stations, standing.sums, standing.readings->beam_rad(), weights,
                       by_intensity);
 }
 
@@ -183,8 +183,8 @@ std::optional<NoiseFit> fit_noise(const Standing& standing, const NoiseModel& st
     }
     fit.model = start;
     auto lit = samples_in(standing, Weights(standing.sums), true);
-    fit.model.by_intensity = standing.readings->has_intensities &&
-                             light_tells(lit, start, standing.readings->beam_rad, unknown);
+    fit.model.by_intensity = standing.readings->has_intensities() &&
+                             light_tells(lit, start, standing.readings->beam_rad(), unknown);
     if (fit.model.by_intensity) {
         fit.samples = std::move(lit);
     } else {

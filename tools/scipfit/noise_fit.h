@@ -13,7 +13,7 @@ namespace scipd::tools {
 
 /// What a recording has, for the estimates that follow.
 struct Standing {
-    const Readings* readings = nullptr;
+    const ScanTable* readings = nullptr;
     std::vector<Station> stations;
     std::vector<StationSums> sums;
 };

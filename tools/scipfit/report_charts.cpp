@@ -92,7 +92,7 @@ std::string piece_at(const NoisePiece& piece, const std::vector<double>& mm, dou
 }  // namespace
 
 std::string room_picture(const Standing& standing, const Room& room) {
-    const Readings& readings = *standing.readings;
+    const ScanTable& readings = *standing.readings;
     const Station& station = *std::ranges::min_element(standing.stations, {}, &Station::first);
     Plan plan;
     std::vector<Point> seen;

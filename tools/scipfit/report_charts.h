@@ -13,7 +13,7 @@ namespace scipd::tools {
 
 /// What was seen from above, and the walls that were made of it.
 [[nodiscard]] std::string room_picture(const Standing& standing, const Room& room);
-/// Readings of the scanner and of its twin, beam beside beam, scan below scan.
+/// ScanTable of the scanner and of its twin, beam beside beam, scan below scan.
 [[nodiscard]] std::string pieces_picture(const ReportView& view);
 [[nodiscard]] std::string noise_by_intensity(const ReportView& view, const Fit& fit);
 [[nodiscard]] std::string noise_by_range(const ReportView& view);

@@ -52,11 +52,11 @@ struct Gathered {
 
 void look_at_beam(const Standing& standing, const Station& station, std::size_t step, double law_mm,
                   Gathered& gathered) {
-    const Readings& readings = *standing.readings;
+    const ScanTable& readings = *standing.readings;
     const Beam& beam = station.beams[step];
     Moments halves[2];
     for (std::size_t scan = station.first; scan < station.end; ++scan) {
-        const float mm = readings.at(scan, step);
+        const float mm = readings.range_mm(scan, step);
         if (!is_distance(mm)) continue;
         gathered.residuals.push_back(station.residual_mm(mm, scan, beam) / law_mm);
         halves[2 * (scan - station.first) >= station.scans() ? 1 : 0].add(mm - beam.mean_mm);
@@ -67,14 +67,14 @@ void look_at_beam(const Standing& standing, const Station& station, std::size_t 
 }
 
 void look_at_beams(const Standing& standing, const Fit& fit, Gathered& gathered) {
-    const Readings& readings = *standing.readings;
+    const ScanTable& readings = *standing.readings;
     for (const Station& station : standing.stations) {
         for (std::size_t step = 0; step < station.beams.size(); ++step) {
             const Beam& beam = station.beams[step];
-            if (!tells_noise(beam, readings.beam_rad, fit.noise->model.by_intensity)) continue;
+            if (!tells_noise(beam, readings.beam_rad(), fit.noise->model.by_intensity)) continue;
             const LawSample sample{beam.mean_mm, beam.intensity, beam.slope_mm, 0.0, 0.0};
             const double law_mm = fit.noise->model.told_mm(sample);
-            gathered.view.beams.push_back({readings.first_step + static_cast<int>(step),
+            gathered.view.beams.push_back({readings.step_of(step),
                                            &station == &standing.stations[0], beam.mean_mm,
                                            beam.intensity, std::sqrt(beam.variance_mm2), law_mm,
                                            sheet_mm(fit.kind.model->optics, beam.mean_mm)});

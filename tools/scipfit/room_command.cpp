@@ -16,7 +16,6 @@
 #include "tools/scipfit/drive_map.h"
 #include "tools/scipfit/fit.h"
 #include "tools/scipfit/formatted.h"
-#include "tools/scipfit/read_readings.h"
 #include "tools/scipfit/room_report.h"
 #include "tools/scipfit/room_sdf.h"
 #include "tools/scipfit/scipfit_commands.h"
@@ -47,7 +46,9 @@ void make_map(const RoomOptions& options) {
 }
 
 void make_room(const RoomOptions& options) {
-    Readings readings = read_readings(std::vector{options.file}, options.stream);
+    ScanTable readings;
+    read_scans(*open_recorded(options.file.string()), options.file.string(),
+               {.stream = options.stream, .echo = Echo::brightest}, readings);
     const Kind kind = kind_of(readings, options.model);
     if (!kind.known && !readings.identity.max_range_m)
         std::cerr << readings.files

@@ -9,7 +9,7 @@
 namespace scipd::tools {
 
 Room room_of(const Standing& standing) {
-    const Readings& readings = *standing.readings;
+    const ScanTable& readings = *standing.readings;
     if (standing.stations.empty())
         throw WrongInput(readings.files +
                          ": the scanner moves all the time; record a stationary one, or create a "

@@ -20,7 +20,7 @@ struct Seen {
     double log_head_on;  ///< of its intensity, if it met the wall head-on: Lambert's law
 };
 
-std::vector<Seen> seen_of(const std::vector<Wall>& walls, const Readings& readings,
+std::vector<Seen> seen_of(const std::vector<Wall>& walls, const ScanTable& readings,
                           const Station& station) {
     std::vector<Seen> seen;
     for (std::size_t wall = 0; wall < walls.size(); ++wall) {
@@ -132,9 +132,9 @@ double log_white_wall(const std::vector<Seen>& seen, const std::vector<double>& 
 
 }  // namespace
 
-std::optional<RoomLight> light_in(const std::vector<Wall>& walls, const Readings& readings,
+std::optional<RoomLight> light_in(const std::vector<Wall>& walls, const ScanTable& readings,
                                   const Station& station) {
-    if (!readings.has_intensities) return std::nullopt;
+    if (!readings.has_intensities()) return std::nullopt;
     const std::vector<Seen> seen = seen_of(walls, readings, station);
     if (seen.size() < 2 * least_beams_of_knot) return std::nullopt;
     const std::vector<double> knots = knots_of(seen);

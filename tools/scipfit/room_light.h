@@ -23,6 +23,6 @@ struct RoomLight {
 
 /// Nothing where there are no intensities.
 [[nodiscard]] std::optional<RoomLight> light_in(const std::vector<Wall>& walls,
-                                                const Readings& readings, const Station& station);
+                                                const ScanTable& readings, const Station& station);
 
 }  // namespace scipd::tools

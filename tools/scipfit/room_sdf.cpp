@@ -53,7 +53,7 @@ void write_wall(const Wall& wall, std::size_t number, int first_step, const std:
 
 }  // namespace
 
-void write_room(const Room& room, const Readings& readings, const daemon::Model& model,
+void write_room(const Room& room, const ScanTable& readings, const daemon::Model& model,
                 std::ostream& out) {
     out << "<?xml version=\"1.0\"?>\n"
         << "<!-- Made by scipfit room from " << in_comment(sim::printable(readings.files))
@@ -68,7 +68,7 @@ void write_room(const Room& room, const Readings& readings, const daemon::Model&
     for (std::size_t i = 0; i < room.walls.size(); ++i) {
         const std::string retro =
             room.light ? retro_of(room.light->brightness[i], model.optics.receiver) : "";
-        write_wall(room.walls[i], i, readings.first_step, retro, out);
+        write_wall(room.walls[i], i, readings.step_of(0), retro, out);
     }
     out << "  </world>\n</sdf>\n";
 }

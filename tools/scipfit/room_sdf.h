@@ -13,7 +13,7 @@ namespace scipd::tools {
 
 /// The scanner is at the origin, in the middle of the walls' height. `readings`: where they are
 /// from; `model`: how its receiver tells what is brighter than white.
-void write_room(const Room& room, const Readings& readings, const daemon::Model& model,
+void write_room(const Room& room, const ScanTable& readings, const daemon::Model& model,
                 std::ostream& out);
 
 }  // namespace scipd::tools

@@ -31,7 +31,7 @@ Wall joined(const Wall& a, const Wall& b) {
     return wall;
 }
 
-std::vector<Wall> straight_walls(const Readings& readings, const Station& station) {
+std::vector<Wall> straight_walls(const ScanTable& readings, const Station& station) {
     constexpr double hardly_rad = 0.05;
     constexpr double beside_m = 0.15;
     std::vector<Wall> walls;

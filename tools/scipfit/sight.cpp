@@ -14,12 +14,12 @@ double FaceLine::range_mm(const FlatPose& place, double direction_rad) const {
 
 std::vector<Sight> sights_of(const Standing& standing, std::size_t station) {
     constexpr double steepest = 2.1;
-    const Readings& readings = *standing.readings;
+    const ScanTable& readings = *standing.readings;
     const std::vector<Beam>& beams = standing.stations[station].beams;
     std::vector<Sight> sights;
     for (std::size_t i = 0; i < beams.size(); ++i) {
         const Beam& beam = beams[i];
-        if (!beam.inside || std::abs(beam.slope_mm) > steepest * beam.mean_mm * readings.beam_rad)
+        if (!beam.inside || std::abs(beam.slope_mm) > steepest * beam.mean_mm * readings.beam_rad())
             continue;
         const double deviation_mm = std::sqrt(beam.variance_mm2 / static_cast<double>(beam.count));
         sights.push_back(

@@ -42,7 +42,7 @@ double told_mm(double mm, const Fit& fit, bool whole_mm) {
     return whole_mm ? std::round(mm) : mm;
 }
 
-void simulate(const Station& station, const Readings& readings, const Fit& fit, std::size_t first,
+void simulate(const Station& station, const ScanTable& readings, const Fit& fit, std::size_t first,
               NoisePiece& piece) {
     constexpr double m_per_mm = 1e-3;
     for (std::size_t scan = 0; scan < piece.scans; ++scan) {
@@ -55,7 +55,7 @@ void simulate(const Station& station, const Readings& readings, const Fit& fit, 
         }
         const sim::Smoothing smoothing =
             fit.smoothing ? fit.smoothing->smoothing : sim::Smoothing{};
-        row.draw(smoothing, readings.beam_rad, sim::Chance({.seed = 1, .scan = scan}));
+        row.draw(smoothing, readings.beam_rad(), sim::Chance({.seed = 1, .scan = scan}));
         for (std::size_t beam = 0; beam < piece.beams; ++beam) {
             const double mean_mm = station.beams[first + beam].mean_mm;
             const double noisy_mm = mean_mm + row.noise_m(beam) / m_per_mm;
@@ -68,17 +68,18 @@ void simulate(const Station& station, const Readings& readings, const Fit& fit, 
 
 std::optional<NoisePiece> noise_piece(const Standing& standing, const Fit& fit) {
     if (!fit.noise || standing.stations.empty()) return std::nullopt;
-    const Readings& readings = *standing.readings;
+    const ScanTable& readings = *standing.readings;
     const Station& station = standing.stations.front();
-    const Run face = longest_face(station.beams, readings.beam_rad, fit.noise->model.by_intensity);
+    const Run face =
+        longest_face(station.beams, readings.beam_rad(), fit.noise->model.by_intensity);
     if (face.beams < least_beams) return std::nullopt;
-    NoisePiece piece{.first_step = readings.first_step + static_cast<int>(face.first),
+    NoisePiece piece{.first_step = readings.step_of(face.first),
                      .beams = face.beams,
                      .scans = std::min(most_scans, station.scans())};
     for (std::size_t i = 0; i < piece.scans; ++i) {
         for (std::size_t step = face.first; step < face.first + face.beams; ++step) {
             const std::size_t scan = station.first + i;
-            const float mm = readings.at(scan, step);
+            const float mm = readings.range_mm(scan, step);
             piece.real_mm.push_back(is_distance(mm)
                                         ? station.residual_mm(mm, scan, station.beams[step])
                                         : std::numeric_limits<double>::quiet_NaN());

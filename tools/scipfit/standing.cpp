@@ -32,19 +32,19 @@ double median(std::vector<float>& values) {
     return *middle;
 }
 
-Block block_of(const Readings& readings, std::size_t first, std::size_t end) {
-    Block block{first, end, std::vector<float>(readings.steps, -1.0F), 0.0};
+Block block_of(const ScanTable& readings, std::size_t first, std::size_t end) {
+    Block block{first, end, std::vector<float>(readings.beams, -1.0F), 0.0};
     std::vector<float> differences;
-    for (std::size_t step = 0; step < readings.steps; ++step) {
+    for (std::size_t step = 0; step < readings.beams; ++step) {
         double sum = 0.0;
         std::size_t count = 0;
         for (std::size_t scan = first; scan < end; ++scan) {
-            const float mm = readings.at(scan, step);
+            const float mm = readings.range_mm(scan, step);
             if (!is_distance(mm)) continue;
             sum += mm;
             ++count;
-            if (scan > first && is_distance(readings.at(scan - 1, step)))
-                differences.push_back(std::abs(mm - readings.at(scan - 1, step)));
+            if (scan > first && is_distance(readings.range_mm(scan - 1, step)))
+                differences.push_back(std::abs(mm - readings.range_mm(scan - 1, step)));
         }
         if (2 * count > end - first)
             block.mean_mm[step] = static_cast<float>(sum / static_cast<double>(count));
@@ -70,7 +70,7 @@ bool same_place(const Block& a, const Block& b) {
     return apart_mm(a, b) < std::max(least_mm, share * std::min(a.step_mm, b.step_mm));
 }
 
-std::vector<Station> still_times(const Readings& readings, std::size_t begin, std::size_t end) {
+std::vector<Station> still_times(const ScanTable& readings, std::size_t begin, std::size_t end) {
     std::vector<Station> stations;
     std::optional<Block> first;
     std::optional<Block> before;
@@ -93,7 +93,7 @@ std::vector<Station> still_times(const Readings& readings, std::size_t begin, st
 struct Sums {
     double n = 0, t = 0, tt = 0, x = 0, xx = 0, tx = 0, x4 = 0;
     double steps2 = 0, steps = 0, light = 0;
-    float offset = 0.0F, before = no_value;
+    float offset = 0.0F, before = no_number;
 };
 
 /// Around the trend. Two of its scans are spent on that.
@@ -129,11 +129,11 @@ void add(float mm, double t, Sums& sums) {
 }
 
 /// Passers-by and things that come and go leave a few distances far from all others.
-std::vector<double> kurtosis_of(const Readings& readings, const Station& station) {
-    std::vector<double> fourth(readings.steps, 0.0);
+std::vector<double> kurtosis_of(const ScanTable& readings, const Station& station) {
+    std::vector<double> fourth(readings.beams, 0.0);
     for (std::size_t scan = station.first; scan < station.end; ++scan) {
-        for (std::size_t step = 0; step < readings.steps; ++step) {
-            const float mm = readings.at(scan, step);
+        for (std::size_t step = 0; step < readings.beams; ++step) {
+            const float mm = readings.range_mm(scan, step);
             const Beam& beam = station.beams[step];
             if (!is_distance(mm) || beam.variance_mm2 == 0.0) continue;
             const double e = station.residual_mm(mm, scan, beam);
@@ -170,33 +170,32 @@ void leave_out_wild_beams(std::vector<Beam>& beams) {
         beam.still = beam.still && beam.variance_mm2 <= most * middle + 1.0;
 }
 
-void look_at_beams(const Readings& readings, Station& station) {
-    std::vector<Sums> sums(readings.steps);
+void look_at_beams(const ScanTable& readings, Station& station) {
+    std::vector<Sums> sums(readings.beams);
     const double middle = 0.5 * static_cast<double>(station.first + station.end - 1);
     for (std::size_t scan = station.first; scan < station.end; ++scan) {
-        for (std::size_t step = 0; step < readings.steps; ++step) {
-            const float mm = readings.at(scan, step);
+        for (std::size_t step = 0; step < readings.beams; ++step) {
+            const float mm = readings.range_mm(scan, step);
             if (is_distance(mm)) {
                 add(mm, static_cast<double>(scan) - middle, sums[step]);
-                if (readings.has_intensities)
-                    sums[step].light += readings.intensity[scan * readings.steps + step];
+                sums[step].light += std::fmax(readings.intensity(scan, step), 0.0F);
             }
             sums[step].before = mm;
         }
     }
-    station.beams.resize(readings.steps);
-    for (std::size_t step = 0; step < readings.steps; ++step)
+    station.beams.resize(readings.beams);
+    for (std::size_t step = 0; step < readings.beams; ++step)
         take_moments(sums[step], station.beams[step]);
     const std::vector<double> kurtosis = kurtosis_of(readings, station);
-    for (std::size_t step = 0; step < readings.steps; ++step)
+    for (std::size_t step = 0; step < readings.beams; ++step)
         station.beams[step].still = is_still(station.beams[step], station.scans(), kurtosis[step]);
     leave_out_wild_beams(station.beams);
-    find_faces(readings.beam_rad, station.beams);
+    find_faces(readings.beam_rad(), station.beams);
 }
 
 }  // namespace
 
-std::vector<Station> stations_of(const Readings& readings) {
+std::vector<Station> stations_of(const ScanTable& readings) {
     std::vector<Station> stations;
     for (std::size_t i = 1; i < readings.begins.size(); ++i) {
         for (Station& station : still_times(readings, readings.begins[i - 1], readings.begins[i]))

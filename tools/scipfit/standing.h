@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "tools/analysis/scan_table.h"
 #include "tools/scipfit/beam.h"
-#include "tools/scipfit/readings.h"
 
 namespace scipd::tools {
 
@@ -28,7 +28,7 @@ struct Station {
 };
 
 /// Where the scanner stands, the longest stations first. None: it moves all the time.
-[[nodiscard]] std::vector<Station> stations_of(const Readings& readings);
+[[nodiscard]] std::vector<Station> stations_of(const ScanTable& readings);
 
 /// The stillness of each is told by the scans, and faces by how the beams continue each other.
 [[nodiscard]] std::size_t beams_inside(const std::vector<Station>& stations);

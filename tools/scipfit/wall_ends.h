@@ -7,14 +7,14 @@
 
 #include <vector>
 
+#include "tools/analysis/scan_table.h"
 #include "tools/scipfit/beam.h"
-#include "tools/scipfit/readings.h"
 #include "tools/scipfit/wall.h"
 
 namespace scipd::tools {
 
 /// Finds `begin` and `end` of each from its beams, and leaves out what is only a corner of two
 /// others. They are in the order of their beams.
-void find_ends(std::vector<Wall>& walls, const Readings& readings, const std::vector<Beam>& beams);
+void find_ends(std::vector<Wall>& walls, const ScanTable& readings, const std::vector<Beam>& beams);
 
 }  // namespace scipd::tools

@@ -39,7 +39,7 @@ double tolerance_m(const SeenBeam& seen) {
 }
 
 /// Beams in a row that see something, without a jump.
-std::vector<BeamRun> runs_of(const Readings& readings, const Station& station) {
+std::vector<BeamRun> runs_of(const ScanTable& readings, const Station& station) {
     constexpr double steepest = 10.0;
     std::vector<BeamRun> runs;
     for (std::size_t beam = 0; beam < station.beams.size(); ++beam) {
@@ -49,9 +49,10 @@ std::vector<BeamRun> runs_of(const Readings& readings, const Station& station) {
         const SeenBeam seen{beam, readings.angle_rad(beam), of.mean_mm * m_per_mm,
                             deviation_mm * m_per_mm, of.inside};
         const SeenBeam* const before = runs.empty() ? nullptr : &runs.back().back();
-        const bool goes_on = before != nullptr && beam - before->beam <= 2 &&
-                             std::abs(seen.range_m - before->range_m) <
-                                 steepest * readings.beam_rad * before->range_m + tolerance_m(seen);
+        const bool goes_on =
+            before != nullptr && beam - before->beam <= 2 &&
+            std::abs(seen.range_m - before->range_m) <
+                steepest * readings.beam_rad() * before->range_m + tolerance_m(seen);
         if (!goes_on) runs.emplace_back();
         runs.back().push_back(seen);
     }
@@ -216,7 +217,7 @@ double first_range_m(const std::vector<Wall>& walls, double angle_rad) {
 
 }  // namespace
 
-std::vector<Wall> walls_of(const Readings& readings, const Station& station) {
+std::vector<Wall> walls_of(const ScanTable& readings, const Station& station) {
     std::vector<std::pair<Wall, BeamRun>> planes;
     for (const BeamRun& run : runs_of(readings, station)) {
         std::vector<BeamRun> pieces;
@@ -232,7 +233,7 @@ std::vector<Wall> walls_of(const Readings& readings, const Station& station) {
     return walls;
 }
 
-RoomCheck check_room(const std::vector<Wall>& walls, const Readings& readings,
+RoomCheck check_room(const std::vector<Wall>& walls, const ScanTable& readings,
                      const Station& station) {
     constexpr double most_mm = 30.0;
     RoomCheck check;

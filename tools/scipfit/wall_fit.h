@@ -15,7 +15,7 @@ namespace scipd::tools {
 
 /// By split and merge, each refined by least squares that a few wrong beams do not move. Corners
 /// are where walls meet.
-[[nodiscard]] std::vector<Wall> walls_of(const Readings& readings, const Station& station);
+[[nodiscard]] std::vector<Wall> walls_of(const ScanTable& readings, const Station& station);
 
 /// How well the walls explain what the scanner saw.
 struct RoomCheck {
@@ -25,7 +25,7 @@ struct RoomCheck {
     double worst_of_95_mm = 0.0;  ///< 95 % of those are nearer
 };
 
-[[nodiscard]] RoomCheck check_room(const std::vector<Wall>& walls, const Readings& readings,
+[[nodiscard]] RoomCheck check_room(const std::vector<Wall>& walls, const ScanTable& readings,
                                    const Station& station);
 
 }  // namespace scipd::tools

@@ -154,13 +154,21 @@ TEST(Compare, NamesALittleMoreNoise) {
 
 TEST(Compare, NamesACodeForAnother) {
     const Comparison rare =
-        compare({.seed = 1, .scans = 100}, {.seed = 2, .scans = 100, .edge_code = 1});
-    EXPECT_THAT(sentences(rare), Each(AllOf(HasSubstr("code 1 in "), HasSubstr("code 7 in "))));
+        compare({.seed = 1, .scans = 100}, {.seed = 2, .scans = 100, .edge_code = 6});
+    EXPECT_THAT(sentences(rare), Each(AllOf(HasSubstr("code 6 in "), HasSubstr("code 7 in "))));
     EXPECT_THAT(of_kind(rare, What::codes), Not(IsEmpty()));
-    const Comparison many = compare({.seed = 1}, {.seed = 2, .window_code = 1});
-    EXPECT_THAT(sentences(many), Contains(HasSubstr("code 0 in 0.0 % instead of 100 %, code 1 in "
-                                                    "100 % instead of 0.0 %")));
-    EXPECT_EQ(many.b.codes.count(0), 0U);
+    const Comparison many = compare({.seed = 1}, {.seed = 2, .window_code = 8});
+    EXPECT_THAT(sentences(many), Contains(HasSubstr("no distance in 0.0 % instead of 100 %, code 8 "
+                                                    "in 100 % instead of 0.0 %")));
+    EXPECT_EQ(many.b.codes.count(tools::codes::nothing), 0U);
+}
+
+// A URG sends 0, a UTM 1, a UST 65533.
+TEST(Compare, TakesAllCodesForNoDistanceAsOne) {
+    for (const int code : {1, 65533})
+        EXPECT_THAT(of_kind(compare({.seed = 1}, {.seed = 2, .window_code = code}), What::codes),
+                    IsEmpty())
+            << code;
 }
 
 TEST(Compare, NamesHowBrightThingsAre) {

@@ -132,11 +132,11 @@ tools::comparing::Taken make_scans(const MadeScans& made) {
     identity.model = "MADE";
     identity.min_range_m = 0.02;
     identity.max_range_m = 30;
-    tools::ScanSeries series(identity);
+    tools::ScanTable series{.identity = identity};
     Reader reader(made);
     for (int i = 0; i < made.scans; ++i)
         series.add(reader.next());
-    return {"made", std::move(series)};
+    return {"made", std::move(series), {}, {}};
 }
 
 }  // namespace scipd::tests

@@ -3,6 +3,7 @@
 # Copyright The scipd authors
 """What scipcat finds in recordings that others have written: foreign_recordings_test.py SCIPCAT"""
 import json
+import math
 import pathlib
 import random
 import re
@@ -133,6 +134,48 @@ class Bags(OfFiles):
         # Without an index, and in one chunk and several.
         for chunks in ([messages], [messages[:4], messages[4:6], messages[6:]], [[one] for one in messages]):
             self.in_order(self.info(self.path("a.bag", foreign.bag(chunks))), 10, 0.1)
+
+    def test_codes_in_metres(self):
+        """What stands for no distance is one class; the codes of a URG are theirs again."""
+        ranges = [1.5, 0.0, 0.001, math.nan, math.inf, 65.533, 0.006, 0.006, 0.019, 2.5]
+        scans = [("/scan", SCAN, time, foreign.ros1_scan(time, ranges)) for time in (NS, NS + 10**8)]
+        info = self.info(self.path("a.bag", foreign.bag([scans])))
+        self.assertEqual(info["no_distance"], {"no distance": 0.5, "6": 0.2, "19": 0.1})
+        self.assertTrue(info["codes"])
+        text = subprocess.run([SCIPCAT, "info", str(self.path("a.bag"))], capture_output=True, text=True, check=True)
+        self.assertIn("metres with the scanner's codes\n  codes       no distance: 50 %, 6: 20 %, 19: 10 %\n",
+                      text.stdout)
+
+    def test_what_a_replay_would_be(self):
+        def replays_as(fan_rad, count, limits_m):
+            scans = [("/scan", SCAN, NS + 25 * 10**6 * number,
+                      foreign.ros1_scan(NS + 25 * 10**6 * number, [1] * count, fan_rad=fan_rad, limits_m=limits_m))
+                     for number in (0, 1)]
+            return self.info(self.path("a.bag", foreign.bag([scans])))["replays_as"]
+
+        degree = math.pi / 180
+        self.assertEqual(replays_as((-135 * degree, degree / 4), 1081, (0.02, 30)), {"model": "UST-10LX", "why": None})
+        lds = replays_as((0, degree), 360, (0.12, 3.5))
+        self.assertEqual(lds["model"], "recorded")
+        self.assertRegex(lds["why"], r"^the nearest product, U[-\w]+, has .* deg instead of 0 to 359 deg")
+        far = replays_as((-95 * degree, 0.5 * degree), 381, (0.05, 80))
+        self.assertEqual(far["model"], "recorded")
+        self.assertRegex(far["why"], r"m instead of 0\.05 to 80 m$")
+
+    def test_equal_scans_with_stamps_of_their_own(self):
+        """As those of a simulation without noise."""
+        def bag(name, step_ns):
+            messages = [("/scan", SCAN, NS + number, foreign.ros1_scan(NS + number * step_ns, [1, 2, 3] * 4))
+                        for number in range(8)]
+            return self.path(name, foreign.bag([messages]))
+
+        def compared(one, other):
+            return subprocess.run([SCIPCAT, "compare", str(one), str(other), "--json"], capture_output=True, text=True,
+                                  check=False)
+
+        sides = json.loads(compared(bag("a.bag", 25 * 10**6), bag("b.bag", 25 * 10**6)).stdout)
+        self.assertEqual([(sides[side]["scans"], sides[side]["doubles"]) for side in "ab"], [(8, 0), (8, 0)])
+        self.assertIn("b.bag has 1 scan; at least 4", compared(bag("a.bag", 25 * 10**6), bag("b.bag", 0)).stderr)
 
     def test_the_old_format_of_bags(self):
         told = self.refused(self.path("a.bag", b"#ROSRECORD V1.2\n" + bytes(100)))

@@ -177,6 +177,7 @@ TEST(ScipcatRecordingInfo, IsReadable) {
     EXPECT_THAT(outcome.out, HasSubstr("  model       UST-10LX\n"));
     EXPECT_THAT(outcome.out, HasSubstr("  scans       4 of 1081 steps, 0.075 s, 40.00 a second"));
     EXPECT_THAT(outcome.out, HasSubstr("  values      mm with the scanner's codes, intensities\n"
+                                       "  codes       no distance: 6.4 %\n"
                                        "  times       header stamps\n"));
 }
 

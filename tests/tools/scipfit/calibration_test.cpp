@@ -32,7 +32,7 @@ using testing::ThrowsMessage;
 using tools::Calibration;
 using tools::FlatPose;
 using tools::Interval;
-using tools::Readings;
+using tools::ScanTable;
 
 const Room& hall() {
     static const Room room{.length_m = 9.0,
@@ -59,10 +59,10 @@ const std::vector<Place>& places() {
     return three;
 }
 
-Readings standing_at(const std::vector<Place>& places, bool with_light = false,
-                     const daemon::Model& model = a_unit(), const Room& room = hall()) {
+ScanTable standing_at(const std::vector<Place>& places, bool with_light = false,
+                      const daemon::Model& model = a_unit(), const Room& room = hall()) {
     SyntheticScanner scanner(model, room, with_light, 21);
-    Readings readings = scanner.begin();
+    ScanTable readings = scanner.begin();
     for (const Place& place : places) {
         scanner.stand(place, 100, readings);
         end_recording(readings);
@@ -99,7 +99,7 @@ bool holds(const Interval& interval, double truth) {
 }
 
 TEST(Calibration, FindsTheCurveAndThePlacesInAWorld) {
-    const Readings readings = standing_at(places());
+    const ScanTable readings = standing_at(places());
     auto world = known_hall();
     const Calibration found = calibrate_in(world, tools::look_at(readings), by_hand(places()));
     ASSERT_GE(found.curve.size(), 6U);
@@ -137,7 +137,7 @@ TEST(Calibration, TellsOffsetAndScaleOfALine) {
     const daemon::Model line = with_bias({{500, 6.0}, {10000, 15.5}});
     for (const auto& stations : {std::vector(places().begin(), places().begin() + 1),
                                  std::vector(places().begin() + 1, places().end())}) {
-        const Readings readings = standing_at(stations, false, line);
+        const ScanTable readings = standing_at(stations, false, line);
         auto world = known_hall();
         const Calibration found = calibrate_in(world, tools::look_at(readings), by_hand(stations));
         ASSERT_TRUE(found.offset_mm && found.scale_mm_per_m);
@@ -157,7 +157,7 @@ TEST(Calibration, TellsABentCurveButNoLineThroughIt) {
     std::ptrdiff_t all = 0;
     for (const auto& points : bent) {
         const daemon::Model model = with_bias(points);
-        const Readings readings = standing_at(places(), false, model);
+        const ScanTable readings = standing_at(places(), false, model);
         auto world = known_hall();
         const Calibration found = calibrate_in(world, tools::look_at(readings), by_hand(places()));
         for (const tools::BiasAt& one : found.curve) {
@@ -179,7 +179,7 @@ TEST(Calibration, FindsTheOffsetByThreeStationsThatAreApartAndTurned) {
     const Room with_two_boxes{.things = {{1.8, -1.3, 0.3}, {1.5, 1.5, 0.2}}};
     for (const Room& room : {hall(), empty, with_two_boxes}) {
         const std::vector<Place> apart{{0.3, 0.1, 0.0}, {-0.7, -0.4, 1.2}, {-1.0, 0.6, -0.9}};
-        const Readings readings = standing_at(apart, false, line, room);
+        const ScanTable readings = standing_at(apart, false, line, room);
         const tools::Standing standing = tools::look_at(readings);
         const auto shared = tools::shared_room(standing);
         ASSERT_TRUE(shared);
@@ -191,7 +191,7 @@ TEST(Calibration, FindsTheOffsetByThreeStationsThatAreApartAndTurned) {
 }
 
 TEST(Calibration, FindsTheCurveButForASlopeInARoomOfItsOwn) {
-    const Readings readings = standing_at(places());
+    const ScanTable readings = standing_at(places());
     const tools::Standing standing = tools::look_at(readings);
     const auto room = tools::shared_room(standing);
     ASSERT_TRUE(room);
@@ -212,7 +212,7 @@ TEST(Calibration, FindsTheCurveButForASlopeInARoomOfItsOwn) {
 }
 
 TEST(Calibration, TellsHowBrightFacesAreByTheirAngle) {
-    const Readings readings = standing_at(places(), true);
+    const ScanTable readings = standing_at(places(), true);
     auto world = known_hall();
     const Calibration found = calibrate_in(world, tools::look_at(readings), by_hand(places()));
     const auto light = tools::light_of_faces(found);
@@ -231,7 +231,7 @@ TEST(Calibration, TellsHowBrightFacesAreByTheirAngle) {
 
 /// The profile that scipfit writes is the twin, as scipd reads it.
 TEST(Calibration, IsTheTwinThatScipdReads) {
-    const Readings readings = standing_at(places());
+    const ScanTable readings = standing_at(places());
     auto world = known_hall();
     const tools::Given given{.world = &world, .places = by_hand(places())};
     const tools::Fit fit =
@@ -248,7 +248,7 @@ TEST(Calibration, IsTheTwinThatScipdReads) {
 
 TEST(Calibration, TellsNoOffsetOfOneWallHeadOn) {
     const std::vector<Place> one{{-2.0, 0.0, 1.5708}};
-    const Readings readings = only(standing_at(one), 480, 600);
+    const ScanTable readings = only(standing_at(one), 480, 600);
     auto world = known_hall();
     const tools::Given given{.world = &world, .places = by_hand(one)};
     const tools::Fit found =
@@ -264,7 +264,7 @@ TEST(Calibration, TellsNoOffsetOfOneWallHeadOn) {
 }
 
 TEST(Calibration, RefusesAPoseFromWhereTheWorldLooksOtherwise) {
-    const Readings readings = standing_at({places()[0]});
+    const ScanTable readings = standing_at({places()[0]});
     auto world = known_hall();
     const auto elsewhere = by_hand({{2.0, 1.0, 2.5}});
     EXPECT_THAT([&] { (void)calibrate_in(world, tools::look_at(readings), elsewhere); },

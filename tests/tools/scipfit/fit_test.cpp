@@ -28,13 +28,13 @@ using testing::IsSupersetOf;
 using testing::Not;
 using testing::ThrowsMessage;
 using tools::Fit;
-using tools::Readings;
+using tools::ScanTable;
 
 const daemon::Model& ust() {
     return daemon::find_model("UST-10LX");
 }
 
-Fit fit(const Readings& readings, const std::vector<tools::Length>& lengths = {}) {
+Fit fit(const ScanTable& readings, const std::vector<tools::Length>& lengths = {}) {
     return tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""),
                               {.lengths = lengths});
 }
@@ -49,10 +49,10 @@ std::vector<std::string> unknown_of(const Fit& fit) {
     return names;
 }
 
-Readings standing(int scans, bool with_light = false, const Room& room = {},
-                  const Place& place = {}) {
+ScanTable standing(int scans, bool with_light = false, const Room& room = {},
+                   const Place& place = {}) {
     SyntheticScanner scanner(ust(), room, with_light, 3);
-    Readings readings = scanner.begin();
+    ScanTable readings = scanner.begin();
     scanner.stand(place, scans, readings);
     end_recording(readings);
     return readings;
@@ -99,7 +99,7 @@ TEST(Fit, TellsNoLawOfLightWhereNoiseGoesByTheRange) {
     for (const std::uint64_t seed : {5U, 6U}) {
         SyntheticScanner scanner(model, {}, false, seed);
         scanner.tell_intensities();
-        Readings readings = scanner.begin();
+        ScanTable readings = scanner.begin();
         scanner.stand({.x_m = 0.4, .yaw_rad = 0.7}, 120, readings);
         end_recording(readings);
         const Fit found = fit(readings);
@@ -113,13 +113,13 @@ TEST(Fit, TellsNoLawOfLightWhereNoiseGoesByTheRange) {
 /// The longer of two stations was recorded without intensities.
 TEST(Fit, TellsTheLawOfLightOfThoseThatHaveIntensities) {
     SyntheticScanner scanner(ust(), {}, true, 5);
-    Readings readings = scanner.begin();
+    ScanTable readings = scanner.begin();
     scanner.stand({}, 80, readings);
-    const std::size_t with_light = readings.mm.size();
+    const std::size_t with_light = readings.ranges_mm.size();
     scanner.stand({.x_m = 0.5, .yaw_rad = 1.0}, 120, readings);
     end_recording(readings);
-    std::fill(readings.intensity.begin() + static_cast<std::ptrdiff_t>(with_light),
-              readings.intensity.end(), 0.0F);
+    std::fill(readings.intensities.begin() + static_cast<std::ptrdiff_t>(with_light),
+              readings.intensities.end(), tools::no_number);
     testing::internal::CaptureStderr();
     const Fit found = fit(readings);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");  // Ceres warns of what is not finite
@@ -136,7 +136,7 @@ TEST(Fit, TellsNoLawOfLightThatDoesNotMatter) {
     daemon::Model model = ust();
     model.optics.noise_law = {.floor_m = 0.006, .weak = 5.0};
     SyntheticScanner scanner(model, {}, true, 5);
-    Readings readings = scanner.begin();
+    ScanTable readings = scanner.begin();
     scanner.stand({}, 100, readings);
     end_recording(readings);
     const Fit found = fit(readings);
@@ -147,8 +147,9 @@ TEST(Fit, TellsNoLawOfLightThatDoesNotMatter) {
 }
 
 TEST(Fit, TellsDriftInScansWhereThereAreNoTimes) {
-    Readings readings = standing(100);
-    readings.period_s = 0.0;
+    ScanTable readings = standing(100);
+    for (tools::ScanTime& time : readings.times)
+        time.host_s.reset();
     std::ostringstream text;
     tools::show(fit(readings), text);
     EXPECT_THAT(text.str(), HasSubstr(" mm in 100 scans\n"));
@@ -166,7 +167,7 @@ TEST(Fit, TellsNoNoiseOfTenScans) {
 
 TEST(Fit, TellsNoNoiseWhereEverythingMoves) {
     SyntheticScanner scanner(ust(), {}, false, 3);
-    Readings readings = scanner.begin();
+    ScanTable readings = scanner.begin();
     for (int i = 0; i < 120; ++i)
         scanner.stand({-1.2 + 0.02 * i, 0.0, 0.01 * i}, 1, readings);
     end_recording(readings);
@@ -177,7 +178,7 @@ TEST(Fit, TellsNoNoiseWhereEverythingMoves) {
 }
 
 TEST(Fit, NamesAnotherKindOfScanner) {
-    Readings readings = standing(60);
+    ScanTable readings = standing(60);
     readings.identity = {.model = "LMS100"};
     const Fit found = fit(readings);
     EXPECT_FALSE(found.kind.known);
@@ -187,7 +188,7 @@ TEST(Fit, NamesAnotherKindOfScanner) {
 
 TEST(Fit, FindsMediansOfFiveBeams) {
     SyntheticScanner scanner(daemon::find_model("UTM-30LX"), {}, false, 3);
-    Readings readings = scanner.begin();
+    ScanTable readings = scanner.begin();
     scanner.stand({}, 100, readings);
     end_recording(readings);
     const Fit found = fit(readings);
@@ -217,7 +218,7 @@ TEST(Fit, TellsTheBiasByALength) {
     daemon::Model model = ust();
     model.optics.bias = {{1.0, 0.008}};
     SyntheticScanner scanner(model, {}, false, 3);
-    Readings readings = scanner.begin();
+    ScanTable readings = scanner.begin();
     scanner.stand({.yaw_rad = M_PI / 2}, 200, readings);
     end_recording(readings);
     const tools::Length across = tools::parse_length_between("180:900=6m");
@@ -230,7 +231,7 @@ TEST(Fit, TellsTheBiasByALength) {
 }
 
 TEST(Fit, RefusesLengthsThatCannotBe) {
-    const Readings readings = standing(60);
+    const ScanTable readings = standing(60);
     const auto expect_refused = [&](const tools::Length& length, const auto& message) {
         EXPECT_THAT([&] { (void)fit(readings, {length}); },
                     ThrowsMessage<tools::WrongInput>(message));

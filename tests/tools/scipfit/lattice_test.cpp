@@ -15,21 +15,21 @@ namespace scipd::tools {
 namespace {
 
 /// Walls that go from 1 m to `last_mm`, read with noise and then told as that.
-Readings told(const std::function<double(double)>& as, double last_mm = 4000.0) {
+ScanTable told(const std::function<double(double)>& as, double last_mm = 4000.0) {
     constexpr std::size_t beams = 500;
     constexpr std::size_t scans = 200;
     std::mt19937_64 chance(7);
     std::normal_distribution<double> noise(0.0, 6.0);
-    Readings readings{.steps = beams, .whole_mm = true};
+    ScanTable readings{.beams = beams, .whole_mm = true};
     for (std::size_t i = 0; i < scans * beams; ++i) {
         const double place = static_cast<double>(i % beams) / beams;
         const double mm = 1000.0 + place * (last_mm - 1000.0) + noise(chance);
-        readings.mm.push_back(static_cast<float>(std::round(as(mm))));
+        readings.ranges_mm.push_back(static_cast<float>(std::round(as(mm))));
     }
     return readings;
 }
 
-Readings in_steps_of(double spacing_mm, double last_mm = 4000.0) {
+ScanTable in_steps_of(double spacing_mm, double last_mm = 4000.0) {
     return told([=](double mm) { return spacing_mm * std::round(mm / spacing_mm); }, last_mm);
 }
 

@@ -21,7 +21,7 @@ using tools::Fit;
 
 Fit fit_of(const char* model, bool with_light) {
     SyntheticScanner scanner(daemon::find_model(model), {}, with_light, 9);
-    tools::Readings readings = scanner.begin();
+    tools::ScanTable readings = scanner.begin();
     scanner.stand({.x_m = 0.3, .y_m = 0.2}, 80, readings);
     end_recording(readings);
     return tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""), {});
@@ -91,7 +91,7 @@ TEST(Profile, SaysOfEachValueWhereItIsFrom) {
 
 TEST(Profile, IsSoundWhereNothingIsKnown) {
     SyntheticScanner scanner(daemon::find_model("UST-10LX"), {}, false, 9);
-    tools::Readings readings = scanner.begin();
+    tools::ScanTable readings = scanner.begin();
     scanner.stand({}, 10, readings);
     end_recording(readings);
     const Fit fit = tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""), {});

@@ -20,9 +20,9 @@ using testing::HasSubstr;
 using testing::Not;
 using tools::ReportView;
 
-tools::Readings standing_ust(int scans) {
+tools::ScanTable standing_ust(int scans) {
     SyntheticScanner scanner(daemon::find_model("UST-10LX"), {}, true, 3);
-    tools::Readings readings = scanner.begin();
+    tools::ScanTable readings = scanner.begin();
     scanner.stand({.x_m = 0.3, .y_m = 0.2}, scans, readings);
     end_recording(readings);
     return readings;
@@ -38,7 +38,7 @@ double sd_of(const std::vector<double>& values) {
 // scipd's noise is normal, so the readings lie on the line, and what is simulated spreads as what
 // was recorded.
 TEST(Report, ShowsTheNoiseThatScipdHas) {
-    const tools::Readings readings = standing_ust(200);
+    const tools::ScanTable readings = standing_ust(200);
     const tools::Standing standing = tools::look_at(readings);
     const tools::Fit fit = tools::fit_scanner(standing, tools::kind_of(readings, ""), {});
     const ReportView view = view_of(standing, fit);
@@ -57,7 +57,7 @@ TEST(Report, ShowsTheNoiseThatScipdHas) {
 }
 
 TEST(Report, IsAPageWithAllPictures) {
-    const tools::Readings readings = standing_ust(60);
+    const tools::ScanTable readings = standing_ust(60);
     const tools::Standing standing = tools::look_at(readings);
     const tools::Fit fit = tools::fit_scanner(standing, tools::kind_of(readings, ""), {});
     const std::string page = as_html(standing, fit, room_of(standing));
@@ -72,7 +72,7 @@ TEST(Report, IsAPageWithAllPictures) {
 }
 
 TEST(Report, SaysWhatIsNotKnownWhereNothingIs) {
-    const tools::Readings readings = standing_ust(10);
+    const tools::ScanTable readings = standing_ust(10);
     const tools::Standing standing = tools::look_at(readings);
     const tools::Fit fit = tools::fit_scanner(standing, tools::kind_of(readings, ""), {});
     const std::string page = as_html(standing, fit, std::nullopt);

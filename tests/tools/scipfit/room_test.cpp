@@ -18,12 +18,12 @@ namespace {
 
 using testing::DoubleNear;
 using testing::HasSubstr;
-using tools::Readings;
+using tools::ScanTable;
 using tools::Station;
 using tools::Wall;
 
 struct Seen {
-    Readings readings;
+    ScanTable readings;
     Station station;
     std::vector<Wall> walls;
 };

@@ -15,7 +15,7 @@ namespace {
 
 using tools::Fit;
 using tools::Interval;
-using tools::Readings;
+using tools::ScanTable;
 
 /// What chance chooses.
 class Choice {
@@ -73,23 +73,26 @@ daemon::Model some_model(Sort sort, Choice& choice) {
 }
 
 /// Somebody walks through, before some of the beams.
-void walk_through(Choice& choice, std::size_t first, Readings& readings) {
-    const std::size_t beams = readings.steps / 12;
-    const double begin = choice.between(0.0, static_cast<double>(readings.steps - 2 * beams));
+void walk_through(Choice& choice, std::size_t first, ScanTable& readings) {
+    const std::size_t beams = readings.beams / 12;
+    const double begin = choice.between(0.0, static_cast<double>(readings.beams - 2 * beams));
     const std::size_t scans = readings.scans() - first;
     for (std::size_t i = 0; i < scans; ++i) {
         const double way = static_cast<double>(i) / static_cast<double>(scans);
         const auto from = static_cast<std::size_t>(begin + way * static_cast<double>(beams));
-        for (std::size_t step = from; step < from + beams; ++step)
-            readings.mm[(first + i) * readings.steps + step] =
+        for (std::size_t step = from; step < from + beams; ++step) {
+            const std::size_t at = (first + i) * readings.beams + step;
+            readings.codes[at] = tools::codes::distance;
+            readings.ranges_mm[at] =
                 static_cast<float>(std::lround(600.0 + 100.0 * way + choice.between(-8.0, 8.0)));
+        }
     }
 }
 
-Readings some_readings(const daemon::Model& model, bool with_light, Choice& choice,
-                       std::uint64_t seed) {
+ScanTable some_readings(const daemon::Model& model, bool with_light, Choice& choice,
+                        std::uint64_t seed) {
     SyntheticScanner scanner(model, some_room(choice), with_light, seed);
-    Readings readings = scanner.begin();
+    ScanTable readings = scanner.begin();
     const int stations = choice.whole(1, 2);
     for (int i = 0; i < stations; ++i) {
         const std::size_t first = readings.scans();
@@ -182,7 +185,7 @@ void make_round_trip(std::uint64_t seed, RoundTrip& result) {
     const auto sort = static_cast<Sort>(seed % 3);
     const bool with_light = sort == Sort::light;
     const daemon::Model model = some_model(sort, choice);
-    const Readings readings = some_readings(model, with_light, choice, seed);
+    const ScanTable readings = some_readings(model, with_light, choice, seed);
     const Fit fit = tools::fit_scanner(tools::look_at(readings), tools::kind_of(readings, ""), {});
     Judge judge(fit, model, result);
     judge.judge_law(with_light);

@@ -63,21 +63,16 @@ SyntheticScanner::SyntheticScanner(daemon::Model model, const Room& room, bool w
       lit_(light_of(room)),
       backend_(sim::make_embree_backend(scene_of(room))) {}
 
-tools::Readings SyntheticScanner::begin() const {
+tools::ScanTable SyntheticScanner::begin() const {
     return {.files = "synthetic",
-            .identity = {.model = model_.profile.model, .firmware = model_.profile.firmware},
-            .steps = static_cast<std::size_t>(model_.optics.beams()),
-            .first_step = model_.optics.first_step,
-            .first_rad = model_.optics.angle_rad(model_.optics.first_step),
-            .beam_rad = model_.optics.beam_rad(),
-            .period_s = 0.025,
-            .has_codes = true,
-            .has_intensities = tells_intensities_,
-            .whole_mm = true};
+            .identity = {.model = model_.profile.model,
+                         .firmware = model_.profile.firmware,
+                         .min_range_m = 1e-3 * model_.profile.nearest_mm,
+                         .max_range_m = 1e-3 * model_.profile.dmax_mm}};
 }
 
 /// Nothing moves, so it is cast once, and each scan reads the same hits with other chances.
-void SyntheticScanner::stand(const Place& place, int scans, tools::Readings& readings) {
+void SyntheticScanner::stand(const Place& place, int scans, tools::ScanTable& readings) {
     const Pose pose = sim::pose_from_rpy({place.x_m, place.y_m, 0.0}, {0.0, 0.0, place.yaw_rad});
     const sim::Conditions conditions{.lit = with_light_ ? lit_.get() : nullptr};
     const sim::Scan cast = [&] {
@@ -90,24 +85,30 @@ void SyntheticScanner::stand(const Place& place, int scans, tools::Readings& rea
         scan.revolution = revolution_++;
         scanner_.read(scan, conditions);
         const auto wire = daemon::to_wire(scan, {}, model_.optics, model_.profile);
-        for (std::size_t beam = 0; beam < wire.distance.size(); ++beam) {
-            const auto value = static_cast<float>(wire.distance[beam]);
-            const bool distance = model_.profile.is_distance(wire.distance[beam]);
-            readings.mm.push_back(distance ? value : tools::as_code(value));
-            if (tells_intensities_)
-                readings.intensity.push_back(static_cast<float>(wire.intensity[beam]));
-        }
+        sim::RecordedScan sent{
+            .host_time = sim::HostTime(std::chrono::nanoseconds(scan.revolution * 25'000'000)),
+            .stamp_us = static_cast<std::uint64_t>(scan.revolution) * 25'000,
+            .directions = {.first_step = model_.optics.first_step,
+                           .first_rad = model_.optics.angle_rad(model_.optics.first_step),
+                           .increment_rad = model_.optics.beam_rad()},
+            .ranges = {wire.distance.begin(), wire.distance.end()}};
+        if (tells_intensities_)
+            sent.intensities.assign(wire.intensity.begin(), wire.intensity.end());
+        readings.add(sent);
     }
 }
 
-void end_recording(tools::Readings& readings) {
-    readings.begins.push_back(readings.scans());
+void end_recording(tools::ScanTable& readings) {
+    readings.end_recording();
 }
 
-tools::Readings only(tools::Readings readings, std::size_t first, std::size_t last) {
-    for (std::size_t i = 0; i < readings.mm.size(); ++i) {
-        const std::size_t step = i % readings.steps;
-        if (step < first || step > last) readings.mm[i] = tools::as_code(65533);
+tools::ScanTable only(tools::ScanTable readings, std::size_t first, std::size_t last) {
+    for (std::size_t i = 0; i < readings.ranges_mm.size(); ++i) {
+        const std::size_t step = i % readings.beams;
+        if (step >= first && step <= last) continue;
+        readings.ranges_mm[i] = tools::no_number;
+        readings.intensities[i] = tools::no_number;
+        readings.codes[i] = 65533;
     }
     return readings;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Readings of scanners whose errors are known: scipd's own sensor model in rooms of boxes, without
+// ScanTable of scanners whose errors are known: scipd's own sensor model in rooms of boxes, without
 // a daemon.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #include "daemon/models/model.h"
 #include "sim/sensor/scanner.h"
-#include "tools/scipfit/readings.h"
+#include "tools/analysis/scan_table.h"
 
 namespace scipd::tests {
 
@@ -44,10 +44,10 @@ class SyntheticScanner {
     void tell_intensities() { tells_intensities_ = true; }
 
     /// Adds scans from this place.
-    void stand(const Place& place, int scans, tools::Readings& readings);
+    void stand(const Place& place, int scans, tools::ScanTable& readings);
 
-    /// Readings of it, without scans.
-    [[nodiscard]] tools::Readings begin() const;
+    /// ScanTable of it, without scans.
+    [[nodiscard]] tools::ScanTable begin() const;
 
   private:
     daemon::Model model_;
@@ -60,9 +60,9 @@ class SyntheticScanner {
 };
 
 /// Closes a recording: what follows is another one.
-void end_recording(tools::Readings& readings);
+void end_recording(tools::ScanTable& readings);
 
 /// Only what these steps see is left.
-[[nodiscard]] tools::Readings only(tools::Readings readings, std::size_t first, std::size_t last);
+[[nodiscard]] tools::ScanTable only(tools::ScanTable readings, std::size_t first, std::size_t last);
 
 }  // namespace scipd::tests

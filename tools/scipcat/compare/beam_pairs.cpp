@@ -112,21 +112,21 @@ std::vector<BeamPair> pairs_by_angle(const Outline& a, const Outline& b, const F
     return pairs;
 }
 
-sim::Expected<std::vector<BeamPair>> pairs_by_number(const ScanSeries& a, const ScanSeries& b,
+sim::Expected<std::vector<BeamPair>> pairs_by_number(const ScanTable& a, const ScanTable& b,
                                                      const std::vector<bool>& edges_a,
                                                      const std::vector<bool>& edges_b) {
-    if (a.directions().cluster != b.directions().cluster)
+    if (a.directions.cluster != b.directions.cluster)
         return sim::refuse("A and B join other numbers of steps, and do not say where these look");
-    const auto first_a = a.directions().first_step;
-    const auto first_b = b.directions().first_step;
-    if ((!first_a || !first_b) && a.beams() != b.beams())
-        return sim::refuse("A has " + std::to_string(a.beams()) + " steps and B has " +
-                           std::to_string(b.beams()) + ", and not both say where these look");
-    const int ahead = first_a && first_b ? (*first_a - *first_b) / a.directions().cluster : 0;
+    const auto first_a = a.directions.first_step;
+    const auto first_b = b.directions.first_step;
+    if ((!first_a || !first_b) && a.beams != b.beams)
+        return sim::refuse("A has " + std::to_string(a.beams) + " steps and B has " +
+                           std::to_string(b.beams) + ", and not both say where these look");
+    const int ahead = first_a && first_b ? (*first_a - *first_b) / a.directions.cluster : 0;
     std::vector<BeamPair> pairs;
-    for (std::size_t beam = 0; beam < a.beams(); ++beam) {
+    for (std::size_t beam = 0; beam < a.beams; ++beam) {
         const auto of_b = static_cast<std::ptrdiff_t>(beam) + ahead;
-        if (of_b < 0 || of_b >= static_cast<std::ptrdiff_t>(b.beams())) continue;
+        if (of_b < 0 || of_b >= static_cast<std::ptrdiff_t>(b.beams)) continue;
         const auto at = static_cast<std::size_t>(of_b);
         pairs.push_back({.a = beam, .b = at, .at_edge = edges_a[beam] || edges_b[at]});
     }

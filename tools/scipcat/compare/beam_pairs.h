@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "sim/expected.h"
+#include "tools/analysis/scan_table.h"
 #include "tools/scipcat/compare/outline.h"
 #include "tools/scipcat/compare/planar_fit.h"
-#include "tools/statistics/scan_series.h"
 
 namespace scipd::tools::comparing {
 
@@ -33,7 +33,7 @@ struct BeamPair {
 /// By step numbers, or one after the other where those are not known either. The fault is a
 /// sentence that says why they do not belong together.
 [[nodiscard]] sim::Expected<std::vector<BeamPair>> pairs_by_number(
-    const ScanSeries& a, const ScanSeries& b, const std::vector<bool>& edges_a,
+    const ScanTable& a, const ScanTable& b, const std::vector<bool>& edges_a,
     const std::vector<bool>& edges_b);
 
 }  // namespace scipd::tools::comparing

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "tools/statistics/blocks.h"
+#include "tools/analysis/blocks.h"
 
 namespace scipd::tools::comparing {
 

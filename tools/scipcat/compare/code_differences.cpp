@@ -25,10 +25,10 @@ std::vector<bool> comparable_pairs(const Matter& matter) {
 Tables table_of(const Matter& matter, Code code) {
     Tables tables(matter);
     tables.a.fill([&](std::size_t scan, std::size_t pair) {
-        return matter.a.code(scan, matter.pairs[pair].a) == code ? 1.0 : 0.0;
+        return class_of(matter.a.code(scan, matter.pairs[pair].a)) == code ? 1.0 : 0.0;
     });
     tables.b.fill([&](std::size_t scan, std::size_t pair) {
-        return matter.b.code(scan, matter.pairs[pair].b) == code ? 1.0 : 0.0;
+        return class_of(matter.b.code(scan, matter.pairs[pair].b)) == code ? 1.0 : 0.0;
     });
     return tables;
 }

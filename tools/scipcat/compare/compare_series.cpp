@@ -24,24 +24,24 @@ std::optional<ClockRate> better_of(const std::optional<ClockRate>& one,
 }
 
 Side side_of(const Taken& taken, std::vector<BeamStatistics> beams) {
-    const ScanSeries& series = taken.series;
+    const ScanTable& series = taken.series;
     Side side{.name = taken.name,
-              .identity = series.identity(),
-              .directions = series.directions(),
+              .identity = series.identity,
+              .directions = series.directions,
               .scans = series.scans(),
-              .steps = series.beams(),
-              .doubles = series.doubles(),
-              .odd_ones = series.odd_ones()};
+              .steps = series.beams,
+              .doubles = series.doubles,
+              .odd_ones = series.odd_ones};
     side.mixed = mixed_share(series, beams, all_scans(series));
     side.codes = code_shares(series);
-    side.stamps = stamp_statistics(series.times(), series.tick_s());
+    side.stamps = stamp_statistics(series.times, series.tick_s);
     side.stamps.clock = better_of(side.stamps.clock, taken.clock);
     side.latency_ms = taken.latency_ms;
     side.beams = std::move(beams);
     return side;
 }
 
-Matter matter_of(const ScanSeries& a, const ScanSeries& b) {
+Matter matter_of(const ScanTable& a, const ScanTable& b) {
     const std::size_t middle = a.scans() / 2;
     return {.a = a,
             .b = b,
@@ -100,8 +100,8 @@ sim::Expected<std::vector<BeamPair>> pair_up(const Matter& matter, bool fit,
                                              Comparison& comparison) {
     const auto edges_a = beside_edges(matter.beams_a);
     const auto edges_b = beside_edges(matter.beams_b);
-    const auto a = outline_of(matter.a.directions(), matter.beams_a);
-    const auto b = outline_of(matter.b.directions(), matter.beams_b);
+    const auto a = outline_of(matter.a.directions, matter.beams_a);
+    const auto b = outline_of(matter.b.directions, matter.beams_b);
     if (!a || !b) return pairs_by_number(matter.a, matter.b, edges_a, edges_b);
     comparison.by_angle = true;
     const auto fitted = fit ? fit_motion(*a, *b) : std::nullopt;
@@ -112,8 +112,8 @@ sim::Expected<std::vector<BeamPair>> pair_up(const Matter& matter, bool fit,
 }  // namespace
 
 sim::Expected<Comparison> compare(const Taken& taken_a, const Taken& taken_b, bool fit) {
-    const ScanSeries& a = taken_a.series;
-    const ScanSeries& b = taken_b.series;
+    const ScanTable& a = taken_a.series;
+    const ScanTable& b = taken_b.series;
     for (const Taken* taken : {&taken_a, &taken_b}) {
         const std::size_t scans = taken->series.scans();
         if (scans < fewest_scans)

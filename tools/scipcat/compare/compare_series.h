@@ -8,16 +8,16 @@
 #include <string>
 
 #include "sim/expected.h"
+#include "tools/analysis/scan_table.h"
+#include "tools/analysis/stamp_statistics.h"
 #include "tools/scipcat/compare/comparison.h"
-#include "tools/statistics/scan_series.h"
-#include "tools/statistics/stamp_statistics.h"
 
 namespace scipd::tools::comparing {
 
 /// One of the two, before it is compared.
 struct Taken {
     std::string name;
-    ScanSeries series;
+    ScanTable series;
     // What a scanner told that was asked for its time. A recording has no such questions.
     std::optional<ClockRate> clock;
     std::optional<double> latency_ms;

@@ -8,13 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "tools/analysis/beam_statistics.h"
+#include "tools/analysis/blocks.h"
+#include "tools/analysis/scan_table.h"
+#include "tools/analysis/stamp_statistics.h"
 #include "tools/scipcat/compare/beam_pairs.h"
 #include "tools/scipcat/compare/planar_fit.h"
-#include "tools/statistics/beam_statistics.h"
-#include "tools/statistics/blocks.h"
-#include "tools/statistics/code_shares.h"
-#include "tools/statistics/scan_series.h"
-#include "tools/statistics/stamp_statistics.h"
 
 namespace scipd::tools::comparing {
 

@@ -71,20 +71,6 @@ std::string brightness_text(const Difference& difference) {
            worded(": %.0f instead of %.0f", difference.b, difference.a);
 }
 
-std::string share_list(const CodeShares& shares) {
-    constexpr std::size_t most = 4;
-    std::vector<std::pair<double, Code>> sorted;
-    for (const auto& [code, share] : shares)
-        sorted.emplace_back(-share, code);
-    std::ranges::sort(sorted);
-    std::string text;
-    for (std::size_t i = 0; i < std::min(sorted.size(), most); ++i) {
-        if (i > 0) text += ", ";
-        text += name_of_code(sorted[i].second) + ": " + percent_text(-sorted[i].first);
-    }
-    return sorted.size() > most ? text + ", …" : text.empty() ? "none" : text;
-}
-
 std::string known(const char* pattern, const std::optional<double>& value) {
     return value && std::isfinite(*value) ? worded(pattern, *value) : "";
 }
@@ -109,6 +95,20 @@ std::string clock_text(const std::optional<ClockRate>& clock) {
 }
 
 }  // namespace
+
+std::string share_list(const CodeShares& shares) {
+    constexpr std::size_t most = 4;
+    std::vector<std::pair<double, Code>> sorted;
+    for (const auto& [code, share] : shares)
+        sorted.emplace_back(-share, code);
+    std::ranges::sort(sorted);
+    std::string text;
+    for (std::size_t i = 0; i < std::min(sorted.size(), most); ++i) {
+        if (i > 0) text += ", ";
+        text += name_of_code(sorted[i].second) + ": " + percent_text(-sorted[i].first);
+    }
+    return sorted.size() > most ? text + ", …" : text.empty() ? "none" : text;
+}
 
 std::string sentence_of(const Difference& difference) {
     const double by = difference.difference();

@@ -44,7 +44,7 @@ std::vector<double> known_in(const std::vector<double>& values, const Run& run) 
 Difference difference_at(const Matter& matter, What what, const Run& run) {
     Difference difference{.what = what, .first_pair = run.first, .last_pair = run.last};
     difference.from = matter.step(run.first);
-    difference.to = matter.step(run.last) + matter.a.directions().cluster - 1;
+    difference.to = matter.step(run.last) + matter.a.directions.cluster - 1;
     return difference;
 }
 

@@ -16,7 +16,7 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 /// A quantity whose mean may differ: how it is read, and what is known of it pair by pair.
 struct Level {
     What what;
-    double (ScanSeries::*reading)(std::size_t scan, std::size_t beam) const;
+    float (ScanTable::*reading)(std::size_t scan, std::size_t beam) const;
     std::vector<bool> tested;
     std::vector<double> mean_a;
     std::vector<double> mean_b;       ///< from A's place
@@ -44,7 +44,7 @@ void add_pair(Level& level, const Matter& matter, double mean_a, double mean_b, 
 Level ranges_of(const Matter& matter) {
     constexpr double last_digit_mm = 1;
     constexpr double surely = 3;  // standard deviations of B's place
-    Level level{.what = What::mean, .reading = &ScanSeries::range_mm};
+    Level level{.what = What::mean, .reading = &ScanTable::range_mm};
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
         const std::size_t beam = matter.pairs[pair].a;
         add_pair(level, matter, matter.of_a(pair).mean_mm, matter.of_b(pair).mean_mm,
@@ -59,7 +59,7 @@ Level ranges_of(const Matter& matter) {
 Level intensities_of(const Matter& matter) {
     constexpr double least_share = 0.01;
     constexpr double rounded = 0.29;
-    Level level{.what = What::intensity, .reading = &ScanSeries::intensity};
+    Level level{.what = What::intensity, .reading = &ScanTable::intensity};
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
         const std::size_t beam = matter.pairs[pair].a;
         const BeamStatistics& a = matter.of_a(pair);
@@ -128,7 +128,11 @@ std::vector<Difference> level_differences(const Matter& matter, double chance) {
 }
 
 std::vector<Difference> intensity_differences(const Matter& matter, double chance) {
-    if (!matter.a.has_intensities() || !matter.b.has_intensities()) return {};
+    const auto none = [](const std::vector<BeamStatistics>& beams) {
+        return std::ranges::all_of(
+            beams, [](const BeamStatistics& beam) { return std::isnan(beam.intensity); });
+    };
+    if (none(matter.beams_a) || none(matter.beams_b)) return {};
     return differences_of(matter, intensities_of(matter), chance);
 }
 

@@ -9,16 +9,16 @@
 #include <cmath>
 #include <vector>
 
+#include "tools/analysis/beam_statistics.h"
+#include "tools/analysis/blocks.h"
+#include "tools/analysis/scan_table.h"
 #include "tools/scipcat/compare/beam_pairs.h"
-#include "tools/statistics/beam_statistics.h"
-#include "tools/statistics/blocks.h"
-#include "tools/statistics/scan_series.h"
 
 namespace scipd::tools::comparing {
 
 struct Matter {
-    const ScanSeries& a;
-    const ScanSeries& b;
+    const ScanTable& a;
+    const ScanTable& b;
     std::vector<BeamPair> pairs;
     double moved_mm = 0;  ///< how far from A B stands
     std::vector<BeamStatistics> beams_a;
@@ -62,10 +62,7 @@ struct Matter {
         return std::max(rounded_mm, (of_a(pair).sd_mm + of_b(pair).sd_mm) / 2);
     }
     /// The step of A, or its place in the scan where steps have no numbers.
-    [[nodiscard]] int step(std::size_t pair) const {
-        return a.directions().first_step.value_or(0) +
-               static_cast<int>(pairs[pair].a) * a.directions().cluster;
-    }
+    [[nodiscard]] int step(std::size_t pair) const { return a.step_of(pairs[pair].a); }
 };
 
 }  // namespace scipd::tools::comparing

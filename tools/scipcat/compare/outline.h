@@ -12,7 +12,7 @@
 #include <glm/vec2.hpp>
 
 #include "sim/recording/values/directions.h"
-#include "tools/statistics/beam_statistics.h"
+#include "tools/analysis/beam_statistics.h"
 
 namespace scipd::tools::comparing {
 

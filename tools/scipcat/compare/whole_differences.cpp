@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/statistics/shared_noise.h"
+#include "tools/analysis/shared_noise.h"
 
 namespace scipd::tools::comparing {
 namespace {
@@ -17,7 +17,7 @@ constexpr double surely = 4;
 
 using Noises = std::vector<SharedNoise>;
 
-Noises noise_of_blocks(const ScanSeries& series, const std::vector<BeamStatistics>& beams,
+Noises noise_of_blocks(const ScanTable& series, const std::vector<BeamStatistics>& beams,
                        const std::vector<ScanSpan>& blocks) {
     const auto edges = beside_edges(beams);
     Noises noises;
@@ -83,7 +83,7 @@ void compare_rates(const Matter& matter, Comparison& comparison) {
     if (!a.stamps.rate_hz || !b.stamps.rate_hz) return;
     const double difference = *b.stamps.rate_hz - *a.stamps.rate_hz;
     const double by =
-        std::hypot(uncertainty_hz(a, matter.a.tick_s()), uncertainty_hz(b, matter.b.tick_s()));
+        std::hypot(uncertainty_hz(a, matter.a.tick_s), uncertainty_hz(b, matter.b.tick_s));
     if (!(std::abs(difference) > std::max(by, least_share * *a.stamps.rate_hz))) return;
     comparison.differ.push_back({.what = What::rate,
                                  .a = *a.stamps.rate_hz,
@@ -114,7 +114,7 @@ struct Moments {
     double squares = 0;         ///< of deviations, in those of the beam
 };
 
-Moments moments_of(const ScanSeries& series, ScanSpan block, std::size_t beam, double reference_mm,
+Moments moments_of(const ScanTable& series, ScanSpan block, std::size_t beam, double reference_mm,
                    double own_mean_mm, double sd_mm) {
     Moments moments;
     for (std::size_t scan = block.first; scan < block.end; ++scan) {
@@ -129,7 +129,7 @@ Moments moments_of(const ScanSeries& series, ScanSpan block, std::size_t beam, d
 
 std::vector<Moments> moments_of_blocks(const Matter& matter, const std::vector<std::size_t>& pairs,
                                        bool of_a) {
-    const ScanSeries& series = of_a ? matter.a : matter.b;
+    const ScanTable& series = of_a ? matter.a : matter.b;
     std::vector<Moments> all;
     for (const ScanSpan& block : of_a ? matter.blocks_a : matter.blocks_b) {
         Moments& moments = all.emplace_back();

@@ -7,29 +7,35 @@
 #include <map>
 #include <utility>
 
+#include "tools/analysis/beam_statistics.h"
+
 namespace scipd::tools {
 namespace {
 
 // The edges of things move by a step from scan to scan.
 constexpr std::size_t fewest_steps = 3;
 
-// Where a scanner has not said what it measures: codes of all models are nearer than 20 mm, or as
-// far as its characters go.
-constexpr double usual_nearest_m = 0.02;
-constexpr double usual_farthest_m = 65.0;
-
-std::vector<double> first_echoes(const sim::RecordedScan& scan) {
-    std::vector<double> values;
-    values.reserve(scan.steps());
-    for (std::size_t step = 0; step < scan.steps(); ++step) {
-        const auto echoes = scan.ranges_of(step);
-        values.push_back(echoes.empty() ? 0.0 : echoes.front());
-    }
-    return values;
+bool same_steps(const sim::RecordedScan& a, const sim::RecordedScan& b) {
+    return a.steps() == b.steps() && a.directions.first_step == b.directions.first_step &&
+           a.directions.cluster == b.directions.cluster;
 }
 
-bool same_steps(const sim::Directions& a, const sim::Directions& b) {
-    return a.first_step == b.first_step && a.cluster == b.cluster;
+/// The median of the distances from row `first` on, or the most frequent code if most have none.
+Reading typical(const ScanTable& table, std::size_t first, std::size_t beam) {
+    std::vector<double> distances;
+    std::map<Code, std::size_t> codes;
+    for (std::size_t scan = first; scan < table.scans(); ++scan) {
+        if (is_distance(table.range_mm(scan, beam))) {
+            distances.push_back(table.range_mm(scan, beam));
+        } else {
+            ++codes[table.code(scan, beam)];
+        }
+    }
+    if (2 * distances.size() > table.scans() - first)
+        return {.range_mm = static_cast<float>(median_of(std::move(distances))),
+                .code = codes::distance};
+    const auto by_count = [](const auto& code) { return code.second; };
+    return {.code = std::ranges::max_element(codes, {}, by_count)->first};
 }
 
 }  // namespace
@@ -38,63 +44,41 @@ std::vector<TwinChange> TwinComparison::add(const sim::RecordedScan& scanner,
                                             const sim::RecordedScan& twin,
                                             const sim::ScannerIdentity& identity) {
     ++scans_;
-    if (!same_steps(scanner.directions, twin.directions) || scanner.steps() != twin.steps() ||
-        scanner.steps() == 0)
-        return {};
-    const bool others = !pairs_.empty() && (!same_steps(directions_, scanner.directions) ||
-                                            pairs_.front().scanner.size() != scanner.steps());
-    if (others) pairs_.clear();
-    directions_ = scanner.directions;
-    nearest_mm_ = 1000.0 * identity.min_range_m.value_or(usual_nearest_m);
-    farthest_mm_ = 1000.0 * identity.max_range_m.value_or(usual_farthest_m);
-    pairs_.push_back({scans_, scanner.host_time.value_or(sim::HostTime{}), first_echoes(scanner),
-                      first_echoes(twin)});
-    if (pairs_.size() < scans_together) return {};
+    if (!same_steps(scanner, twin) || scanner.steps() == 0) return {};
+    if (!scanner_.looks_alike(scanner)) clear();
+    scanner_.identity = identity;
+    twin_.identity = identity;
+    scanner_.append(scanner);
+    twin_.append(twin);
+    rows_.push_back({scans_, scanner.host_time.value_or(sim::HostTime{})});
+    if (rows_.size() < scans_together) return {};
     auto changes = tell(look());
-    pairs_.clear();
+    clear();
     return changes;
 }
 
-bool TwinComparison::is_distance(double value) const {
-    return value >= nearest_mm_ && value <= farthest_mm_;
+void TwinComparison::clear() {
+    scanner_.clear();
+    twin_.clear();
+    rows_.clear();
 }
 
-/// The middle of the distances, or the most frequent code where that is what most scans have.
-double TwinComparison::typical(std::span<const Pair> pairs, Side side, std::size_t step) const {
-    std::vector<double> distances;
-    std::map<double, std::size_t> codes;
-    for (const Pair& pair : pairs) {
-        const double value = (pair.*side)[step];
-        if (is_distance(value)) {
-            distances.push_back(value);
-        } else {
-            ++codes[value];
-        }
-    }
-    if (2 * distances.size() > pairs.size()) {
-        const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-        std::ranges::nth_element(distances, middle);
-        return *middle;
-    }
-    const auto by_count = [](const auto& code) { return code.second; };
-    return std::ranges::max_element(codes, {}, by_count)->first;
-}
-
-bool TwinComparison::differs(double scanner, double twin) const {
-    if (is_distance(scanner) && is_distance(twin)) return std::abs(scanner - twin) > tolerance_mm_;
-    return scanner != twin;
+bool TwinComparison::differs(const Reading& scanner, const Reading& twin) const {
+    if (is_distance(scanner.range_mm) && is_distance(twin.range_mm))
+        return std::abs(scanner.range_mm - twin.range_mm) > tolerance_mm_;
+    return class_of(scanner.code) != class_of(twin.code);
 }
 
 /// A run is of steps that differ in the same way: nearer, farther, or by codes.
 std::vector<TwinDifference> TwinComparison::look() const {
     enum class Way { none, nearer, farther, codes };
-    const std::size_t steps = pairs_.front().scanner.size();
+    const std::size_t steps = scanner_.beams;
     const auto way_at = [&](std::size_t step) {
-        const double scanner = typical(pairs_, &Pair::scanner, step);
-        const double twin = typical(pairs_, &Pair::twin, step);
+        const Reading scanner = typical(scanner_, 0, step);
+        const Reading twin = typical(twin_, 0, step);
         if (!differs(scanner, twin)) return Way::none;
-        if (!is_distance(scanner) || !is_distance(twin)) return Way::codes;
-        return scanner < twin ? Way::nearer : Way::farther;
+        if (!is_distance(scanner.range_mm) || !is_distance(twin.range_mm)) return Way::codes;
+        return scanner.range_mm < twin.range_mm ? Way::nearer : Way::farther;
     };
     std::vector<Way> ways;
     for (std::size_t step = 0; step < steps; ++step)
@@ -112,37 +96,43 @@ std::vector<TwinDifference> TwinComparison::look() const {
 }
 
 TwinDifference TwinComparison::difference_of(std::size_t begin, std::size_t end, bool codes) const {
-    const std::span<const Pair> since = since_they_differ(begin, end);
-    const auto value = [&](Side side) {
-        if (codes) return typical(since, side, begin + (end - begin) / 2);
+    const std::size_t since = since_they_differ(begin, end);
+    const auto value = [&](const ScanTable& table) {
+        if (codes) {
+            const Reading middle = typical(table, since, begin + (end - begin) / 2);
+            return is_distance(middle.range_mm) ? double{middle.range_mm}
+                                                : std::max<double>(middle.code, 0.0);
+        }
         double sum = 0.0;
-        for (std::size_t step = begin; step < end; ++step)
-            sum += typical(since, side, step);
-        return sum / static_cast<double>(end - begin);
+        double count = 0.0;
+        for (std::size_t step = begin; step < end; ++step) {
+            const Reading reading = typical(table, since, step);
+            if (!is_distance(reading.range_mm)) continue;
+            sum += reading.range_mm;
+            ++count;
+        }
+        return sum / count;
     };
-    const auto step_at = [&](std::size_t place) {
-        return directions_.first_step.value_or(0) + static_cast<int>(place) * directions_.cluster;
-    };
-    return {.from = step_at(begin),
-            .to = step_at(end) - 1,
+    return {.from = scanner_.step_of(begin),
+            .to = scanner_.step_of(end) - 1,
             .codes = codes,
-            .scanner = value(&Pair::scanner),
-            .twin = value(&Pair::twin),
-            .scan = since.front().scan,
-            .time = since.front().time};
+            .scanner = value(scanner_),
+            .twin = value(twin_),
+            .scan = rows_[since].scan,
+            .time = rows_[since].time};
 }
 
-/// From the first scan on in which more than half of the steps differ.
-std::span<const TwinComparison::Pair> TwinComparison::since_they_differ(std::size_t begin,
-                                                                        std::size_t end) const {
-    const auto most_differ = [&](const Pair& pair) {
+/// The first row in which more than half of the steps differ, or 0.
+std::size_t TwinComparison::since_they_differ(std::size_t begin, std::size_t end) const {
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
         std::size_t count = 0;
-        for (std::size_t step = begin; step < end; ++step)
-            count += differs(pair.scanner[step], pair.twin[step]) ? 1 : 0;
-        return 2 * count > end - begin;
-    };
-    const auto first = std::ranges::find_if(pairs_, most_differ);
-    return first == pairs_.end() ? std::span(pairs_) : std::span(first, pairs_.end());
+        for (std::size_t step = begin; step < end; ++step) {
+            const bool differ = differs(scanner_.reading(row, step), twin_.reading(row, step));
+            count += differ ? 1 : 0;
+        }
+        if (2 * count > end - begin) return row;
+    }
+    return 0;
 }
 
 bool TwinComparison::alike(const TwinDifference& a, const TwinDifference& b) const {
@@ -161,9 +151,9 @@ std::vector<TwinDifference> TwinComparison::rest_of(const TwinDifference& old,
         TwinDifference part = old;
         part.from = from;
         part.to = to;
-        part.scan = pairs_.front().scan;
-        part.time = pairs_.front().time;
-        if (to - from + 1 >= static_cast<int>(fewest_steps) * directions_.cluster)
+        part.scan = rows_.front().scan;
+        part.time = rows_.front().time;
+        if (to - from + 1 >= static_cast<int>(fewest_steps) * scanner_.directions.cluster)
             rest.push_back(part);
     };
     int from = old.from;

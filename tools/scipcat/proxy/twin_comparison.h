@@ -8,12 +8,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "sim/recording/values/recorded_scan.h"
-#include "sim/recording/values/scanner_identity.h"
+#include "tools/analysis/scan_table.h"
 
 namespace scipd::tools {
 
@@ -53,32 +51,27 @@ class TwinComparison {
     [[nodiscard]] std::uint64_t scans() const { return scans_; }
 
   private:
-    struct Pair {
+    /// A row of both tables.
+    struct Row {
         std::uint64_t scan = 0;
         sim::HostTime time{};
-        std::vector<double> scanner;
-        std::vector<double> twin;
     };
 
-    using Side = std::vector<double> Pair::*;
-
-    [[nodiscard]] bool is_distance(double value) const;
-    [[nodiscard]] bool differs(double scanner, double twin) const;
-    [[nodiscard]] double typical(std::span<const Pair> pairs, Side side, std::size_t step) const;
+    [[nodiscard]] bool differs(const Reading& scanner, const Reading& twin) const;
     [[nodiscard]] std::vector<TwinDifference> look() const;
     [[nodiscard]] TwinDifference difference_of(std::size_t begin, std::size_t end,
                                                bool codes) const;
-    [[nodiscard]] std::span<const Pair> since_they_differ(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] std::size_t since_they_differ(std::size_t begin, std::size_t end) const;
+    void clear();
     [[nodiscard]] std::vector<TwinChange> tell(const std::vector<TwinDifference>& now);
     [[nodiscard]] std::vector<TwinDifference> rest_of(const TwinDifference& old,
                                                       const std::vector<TwinDifference>& now) const;
     [[nodiscard]] bool alike(const TwinDifference& a, const TwinDifference& b) const;
 
     double tolerance_mm_;
-    double nearest_mm_ = 0.0;  ///< what is not within these is a code
-    double farthest_mm_ = 0.0;
-    sim::Directions directions_;
-    std::vector<Pair> pairs_;
+    ScanTable scanner_;
+    ScanTable twin_;
+    std::vector<Row> rows_;
     std::vector<TwinDifference> told_;
     std::uint64_t scans_ = 0;
 };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/statistics/beam_statistics.h"
+#include "tools/analysis/beam_statistics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace scipd::tools {
 namespace {
@@ -27,13 +28,14 @@ double sd_of(const std::vector<double>& values, double mean) {
     return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-BeamStatistics statistics_of(const ScanSeries& series, ScanSpan scans, std::size_t beam) {
+BeamStatistics statistics_of(const ScanTable& series, ScanSpan scans, std::size_t beam) {
     std::vector<double> ranges_mm;
     std::vector<double> intensities;
     for (std::size_t scan = scans.first; scan < scans.end; ++scan) {
-        if (series.code(scan, beam) != codes::distance) continue;
+        if (!is_distance(series.range_mm(scan, beam))) continue;
         ranges_mm.push_back(series.range_mm(scan, beam));
-        if (series.has_intensities()) intensities.push_back(series.intensity(scan, beam));
+        const double intensity = series.intensity(scan, beam);
+        if (!std::isnan(intensity)) intensities.push_back(intensity);
     }
     BeamStatistics statistics;
     statistics.distances = ranges_mm.size();
@@ -66,10 +68,10 @@ bool apart(const BeamStatistics& beam, const BeamStatistics& next) {
 
 }  // namespace
 
-std::vector<BeamStatistics> beam_statistics(const ScanSeries& series, ScanSpan scans) {
+std::vector<BeamStatistics> beam_statistics(const ScanTable& series, ScanSpan scans) {
     std::vector<BeamStatistics> beams;
-    beams.reserve(series.beams());
-    for (std::size_t beam = 0; beam < series.beams(); ++beam)
+    beams.reserve(series.beams);
+    for (std::size_t beam = 0; beam < series.beams; ++beam)
         beams.push_back(statistics_of(series, scans, beam));
     return beams;
 }
@@ -96,8 +98,7 @@ std::vector<bool> beside_edges(std::span<const BeamStatistics> beams) {
     return beside;
 }
 
-double mixed_share(const ScanSeries& series, std::span<const BeamStatistics> beams,
-                   ScanSpan scans) {
+double mixed_share(const ScanTable& series, std::span<const BeamStatistics> beams, ScanSpan scans) {
     constexpr double least_jump_mm = 200;
     std::size_t distances = 0;
     std::size_t mixed = 0;
@@ -121,6 +122,27 @@ double median_of(std::vector<double> values) {
     std::ranges::nth_element(values, middle);
     if (values.size() % 2 == 1) return *middle;
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+CodeShares code_shares(const ScanTable& series, std::span<const std::size_t> beams,
+                       ScanSpan scans) {
+    CodeShares shares;
+    for (std::size_t scan = scans.first; scan < scans.end; ++scan) {
+        for (const std::size_t beam : beams) {
+            const Code code = class_of(series.code(scan, beam));
+            if (code != codes::distance) shares[code] += 1;
+        }
+    }
+    const auto readings = static_cast<double>(scans.count() * beams.size());
+    for (auto& [code, share] : shares)
+        share /= readings;
+    return shares;
+}
+
+CodeShares code_shares(const ScanTable& series) {
+    std::vector<std::size_t> beams(series.beams);
+    std::iota(beams.begin(), beams.end(), 0);
+    return code_shares(series, beams, all_scans(series));
 }
 
 double quantile_of(std::vector<double> values, double share) {

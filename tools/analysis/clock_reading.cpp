@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/statistics/clock_reading.h"
+#include "tools/analysis/clock_reading.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "tools/statistics/beam_statistics.h"
+#include "tools/analysis/beam_statistics.h"
 
 namespace scipd::tools {
 namespace {

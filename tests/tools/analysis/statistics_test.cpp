@@ -12,13 +12,11 @@
 
 #include <gmock/gmock.h>
 
-#include "tools/statistics/beam_statistics.h"
-#include "tools/statistics/blocks.h"
-#include "tools/statistics/clock_reading.h"
-#include "tools/statistics/code_shares.h"
-#include "tools/statistics/scan_series.h"
-#include "tools/statistics/shared_noise.h"
-#include "tools/statistics/stamp_statistics.h"
+#include "tools/analysis/beam_statistics.h"
+#include "tools/analysis/blocks.h"
+#include "tools/analysis/clock_reading.h"
+#include "tools/analysis/shared_noise.h"
+#include "tools/analysis/stamp_statistics.h"
 
 namespace scipd::tools {
 namespace {
@@ -33,80 +31,16 @@ sim::RecordedScan scan_of(std::vector<double> ranges, std::uint32_t stamp_ms) {
     return scan;
 }
 
-ScanSeries series_of(const std::vector<std::vector<double>>& scans,
-                     const sim::ScannerIdentity& identity = {}) {
-    ScanSeries series(identity);
+ScanTable series_of(const std::vector<std::vector<double>>& scans) {
+    ScanTable series;
     std::uint32_t stamp_ms = 0;
     for (const auto& ranges : scans)
         series.add(scan_of(ranges, stamp_ms += 25));
     return series;
 }
 
-TEST(ScanSeries, KeepsCodesApartFromDistances) {
-    const ScanSeries plain = series_of({{1000, 0, 19, 20, 65532, 65533}});
-    const std::vector<Code> codes{codes::distance, codes::nothing,  19,
-                                  codes::distance, codes::distance, codes::nothing};
-    for (std::size_t beam = 0; beam < codes.size(); ++beam)
-        EXPECT_EQ(plain.code(0, beam), codes[beam]) << beam;
-    EXPECT_TRUE(std::isnan(plain.range_mm(0, 1)));
-    EXPECT_EQ(plain.range_mm(0, 4), 65532);
-}
-
-TEST(ScanSeries, TakesTheLimitsOfTheScanner) {
-    sim::ScannerIdentity identity;
-    identity.min_range_m = 0.06;
-    identity.max_range_m = 30;
-    const ScanSeries series = series_of({{59, 60, 30'000, 30'001, 65533}}, identity);
-    EXPECT_EQ(series.code(0, 0), codes::nothing);
-    EXPECT_EQ(series.code(0, 1), codes::distance);
-    EXPECT_EQ(series.code(0, 2), codes::distance);
-    EXPECT_EQ(series.code(0, 3), codes::nothing);
-    EXPECT_EQ(series.code(0, 4), codes::nothing);
-}
-
-TEST(ScanSeries, ReadsMetres) {
-    ScanSeries series{sim::ScannerIdentity{}};
-    sim::RecordedScan scan =
-        scan_of({1.5, std::nan(""), INFINITY, -INFINITY, 65.532997F, 0.0, 0.006F}, 1);
-    scan.unit = sim::RangeUnit::metres;
-    series.add(scan);
-    EXPECT_EQ(series.range_mm(0, 0), 1500);
-    for (std::size_t beam = 1; beam < 6; ++beam)
-        EXPECT_EQ(name_of_code(series.code(0, beam)), "no distance") << beam;
-    EXPECT_EQ(name_of_code(series.code(0, 6)), "6");
-}
-
-TEST(ScanSeries, LeavesOutDoublesAndOddOnes) {
-    ScanSeries series{sim::ScannerIdentity{}};
-    series.add(scan_of({1000, 1000}, 10));
-    series.add(scan_of({1000, 1000}, 10));
-    series.add(scan_of({1000, 1000}, 35));
-    series.add(scan_of({1000}, 60));
-    EXPECT_EQ(series.scans(), 2U);
-    EXPECT_EQ(series.doubles(), 1U);
-    EXPECT_EQ(series.odd_ones(), 1U);
-}
-
-TEST(ScanSeries, KnowsADoubleWithoutAStampByWhatIsNoNumberToo) {
-    ScanSeries series{sim::ScannerIdentity{}};
-    sim::RecordedScan scan = scan_of({1.5, std::nan(""), 2.5}, 0);
-    scan.unit = sim::RangeUnit::metres;
-    scan.stamp_ms.reset();
-    scan.stamp_us.reset();
-    series.add(scan);
-    series.add(scan);
-    EXPECT_EQ(series.doubles(), 1U);
-}
-
-TEST(ScanSeries, FollowsTheClockWhereItWraps) {
-    ScanSeries series{sim::ScannerIdentity{}};
-    series.add(scan_of({1000}, 0xFFFFF0));
-    series.add(scan_of({1001}, 9));
-    EXPECT_NEAR(*series.times()[1].stamp_s - *series.times()[0].stamp_s, 0.025, 1e-9);
-}
-
 TEST(BeamStatistics, AreThoseOfTheBook) {
-    const ScanSeries series = series_of({{1002, 5000}, {1004, 0}, {1004, 5000}, {1010, 0}});
+    const ScanTable series = series_of({{1002, 5000}, {1004, 0}, {1004, 5000}, {1010, 0}});
     const auto beams = beam_statistics(series, all_scans(series));
     EXPECT_DOUBLE_EQ(beams[0].mean_mm, 1005);
     EXPECT_DOUBLE_EQ(beams[0].sd_mm, std::sqrt(36.0 / 3));
@@ -115,21 +49,21 @@ TEST(BeamStatistics, AreThoseOfTheBook) {
     EXPECT_DOUBLE_EQ(beams[1].share, 0.5);
     EXPECT_DOUBLE_EQ(beams[1].sd_mm, 0);
     EXPECT_TRUE(std::isnan(beams[0].intensity));
-    EXPECT_THAT(code_shares(series), ElementsAre(Pair(0, 0.25)));
+    EXPECT_THAT(code_shares(series), ElementsAre(Pair(codes::nothing, 0.25)));
 }
 
 TEST(BeamStatistics, KnowEdgesAndMixedPixels) {
-    const ScanSeries series = series_of({{1000, 1000, 1500, 3000, 3000},  //
-                                         {1000, 1000, 1000, 3000, 3000},
-                                         {1000, 1000, 3000, 3000, 3000},
-                                         {1000, 1000, 2000, 3000, 3000}});
+    const ScanTable series = series_of({{1000, 1000, 1500, 3000, 3000},  //
+                                        {1000, 1000, 1000, 3000, 3000},
+                                        {1000, 1000, 3000, 3000, 3000},
+                                        {1000, 1000, 2000, 3000, 3000}});
     const auto beams = beam_statistics(series, all_scans(series));
     EXPECT_THAT(beside_edges(beams), ElementsAre(false, true, true, true, false));
     EXPECT_DOUBLE_EQ(mixed_share(series, beams, all_scans(series)), 2.0 / 20);
 }
 
 /// Noise of which each beam has a share in its neighbours': the mean of three by 1 : 2 : 1.
-ScanSeries smoothed_series(std::uint32_t seed) {
+ScanTable smoothed_series(std::uint32_t seed) {
     std::mt19937 chance(seed);
     std::normal_distribution<double> normal(0, 20);
     std::vector<std::vector<double>> scans;
@@ -146,7 +80,7 @@ ScanSeries smoothed_series(std::uint32_t seed) {
 }
 
 TEST(SharedNoise, IsTheCorrelationOfTheFilter) {
-    const ScanSeries series = smoothed_series(1);
+    const ScanTable series = smoothed_series(1);
     const auto beams = beam_statistics(series, all_scans(series));
     const std::vector<bool> smooth(beams.size(), false);
     const auto of = [&](std::size_t apart) {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "tools/statistics/scan_series.h"
+#include "tools/analysis/scan_table.h"
 
 namespace scipd::tools {
 

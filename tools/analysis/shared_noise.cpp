@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/statistics/shared_noise.h"
+#include "tools/analysis/shared_noise.h"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@ namespace scipd::tools {
 namespace {
 
 /// Each pair counts the same, however much its beams spread.
-SharedNoise noise_of_pair(const ScanSeries& series, std::span<const BeamStatistics> beams,
+SharedNoise noise_of_pair(const ScanTable& series, std::span<const BeamStatistics> beams,
                           std::size_t beam, std::size_t next, ScanSpan scans) {
     SharedNoise noise;
     for (std::size_t scan = scans.first; scan < scans.end; ++scan) {
@@ -36,7 +36,7 @@ double SharedNoise::correlation() const {
     return both > 0 ? products / both : std::numeric_limits<double>::quiet_NaN();
 }
 
-SharedNoise shared_noise(const ScanSeries& series, std::span<const BeamStatistics> beams,
+SharedNoise shared_noise(const ScanTable& series, std::span<const BeamStatistics> beams,
                          const std::vector<bool>& beside_edges, ScanSpan scans, std::size_t apart) {
     SharedNoise noise;
     for (std::size_t i = 0; i + apart < beams.size(); ++i) {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "tools/statistics/stamp_statistics.h"
+#include "tools/analysis/stamp_statistics.h"
 
 namespace scipd::tools {
 

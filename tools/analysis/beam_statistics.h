@@ -5,11 +5,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
-#include "tools/statistics/scan_series.h"
+#include "tools/analysis/scan_table.h"
 
 namespace scipd::tools {
 
@@ -20,7 +20,7 @@ struct ScanSpan {
 
     [[nodiscard]] std::size_t count() const { return end - first; }
 };
-[[nodiscard]] inline ScanSpan all_scans(const ScanSeries& series) {
+[[nodiscard]] inline ScanSpan all_scans(const ScanTable& series) {
     return {0, series.scans()};
 }
 
@@ -37,7 +37,7 @@ struct BeamStatistics {
     double intensity_sd = 0;
 };
 
-[[nodiscard]] std::vector<BeamStatistics> beam_statistics(const ScanSeries& series, ScanSpan scans);
+[[nodiscard]] std::vector<BeamStatistics> beam_statistics(const ScanTable& series, ScanSpan scans);
 
 /// It gives a distance in nine of ten scans, and its readings gather about one.
 [[nodiscard]] bool is_steady(const BeamStatistics& beam);
@@ -52,8 +52,14 @@ struct BeamStatistics {
 /// The share of distances that hang between two surfaces: the beams before and after are more than
 /// 0.2 m apart, and the reading is at least a tenth of that from both. The beam hits both surfaces,
 /// and the scanner tells a distance in the middle.
-[[nodiscard]] double mixed_share(const ScanSeries& series, std::span<const BeamStatistics> beams,
+[[nodiscard]] double mixed_share(const ScanTable& series, std::span<const BeamStatistics> beams,
                                  ScanSpan scans);
+
+/// Share of each class of codes among all readings of some beams. Distances are not listed.
+using CodeShares = std::map<Code, double>;
+[[nodiscard]] CodeShares code_shares(const ScanTable& series, std::span<const std::size_t> beams,
+                                     ScanSpan scans);
+[[nodiscard]] CodeShares code_shares(const ScanTable& series);
 
 /// The middle one; of an even number the mean of the two in the middle. NaN of none.
 [[nodiscard]] double median_of(std::vector<double> values);

@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-#include "tools/statistics/beam_statistics.h"
+#include "tools/analysis/beam_statistics.h"
 
 namespace scipd::tools {
 

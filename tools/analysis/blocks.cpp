@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/statistics/blocks.h"
+#include "tools/analysis/blocks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "tools/statistics/beam_statistics.h"
+#include "tools/analysis/beam_statistics.h"
 
 namespace scipd::tools {
 
@@ -26,7 +26,7 @@ struct SharedNoise {
 
 /// What pairs of beams share that are `apart` steps from each other. Both must be steady and look
 /// at no edge. `beams` are the means about which they deviate.
-[[nodiscard]] SharedNoise shared_noise(const ScanSeries& series,
+[[nodiscard]] SharedNoise shared_noise(const ScanTable& series,
                                        std::span<const BeamStatistics> beams,
                                        const std::vector<bool>& beside_edges, ScanSpan scans,
                                        std::size_t apart = 1);
