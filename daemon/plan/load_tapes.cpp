@@ -46,7 +46,8 @@ using Log = std::vector<Player>;
 /// Distances in time by headers, or by the recorder where headers have several clocks.
 void align(Log& log) {
     constexpr auto one_clock = std::chrono::hours(1);
-    const auto lead_by = [&](std::optional<sim::HostTime> Player::*time) {
+    using TimeOf = std::optional<sim::HostTime> Player::*;
+    const auto lead_by = [&](TimeOf time) {
         auto earliest = sim::HostTime::max();
         for (const Player& player : log)
             if (player.*time) earliest = std::min(earliest, *(player.*time));

@@ -354,8 +354,8 @@ RecordedScanner recorded_scanner(const ReplayConfig& replay) {
     }
     const RecordedScan* const second = reader.next();
     const double rate_hz = second == nullptr ? 0.0 : rate_between(Moment(scan), Moment(*second));
-    scanner.model = recorded_model(
-        recorded_lidar(scan.directions, scan.steps(), scanner.identity, rate_hz));
+    scanner.model =
+        recorded_model(recorded_lidar(scan.directions, scan.steps(), scanner.identity, rate_hz));
     return scanner;
 }
 

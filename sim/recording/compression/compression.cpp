@@ -81,7 +81,7 @@ std::unique_ptr<ZSTD_DStream, Release<ZSTD_freeDStream>> zstd_stream() {
     return std::unique_ptr<ZSTD_DStream, Release<ZSTD_freeDStream>>(ZSTD_createDStream());
 }
 
-Expected<std::string> unpack_zstd(std::string_view packed) {
+Expected<std::string> zstd_block(std::string_view packed) {
     const auto stream = zstd_stream();
     return unpack_block(packed, "zstd", zstd_step(stream.get()));
 }
@@ -147,7 +147,7 @@ std::string pack_lz4(std::string_view bytes) {
 
 Expected<std::string> unpack(std::string_view method, std::string_view packed) {
     if (method.empty() || method == "none") return std::string(packed);
-    if (method == "zstd") return unpack_zstd(packed);
+    if (method == "zstd") return zstd_block(packed);
     if (method == "lz4") return unpack_lz4(packed);
     if (method == "bz2") return unpack_bzip2(packed);
     return refuse("is packed by " + quote(method) + ", which is unknown");

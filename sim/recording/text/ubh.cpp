@@ -21,8 +21,9 @@ namespace {
 
 template <class Value>
 struct UbhKey {
+    using Member = Value ScannerIdentity::*;
     const char* name;
-    Value ScannerIdentity::*value;
+    Member value;
     double per_unit = 1;  ///< of the identity: mm per m
 };
 constexpr std::array text_keys = {
