@@ -15,6 +15,7 @@
 #include "daemon/models/model_registry.h"
 #include "tools/local_time.h"
 #include "tools/output_file.h"
+#include "tools/scipbench/capacity.h"
 #include "tools/scipbench/capacity_report.h"
 #include "tools/scipbench/capacity_run.h"
 #include "tools/scipbench/capacity_stages.h"
@@ -162,37 +163,10 @@ class Measurement {
     std::vector<CapacityRun> runs_;
 };
 
-Capacity doubled(int first, int limit, const std::function<bool(int)>& holds) {
-    Capacity found;
-    for (int next = std::min(first, limit);; next = std::min(2 * next, limit)) {
-        if (!holds(next)) {
-            found.too_many = next;
-            return found;
-        }
-        found.held = next;
-        if (next == limit) return found;
-    }
-}
-
 }  // namespace
 
 void measure_capacity(const CapacityQuestion& question) {
     Measurement(question).print();
-}
-
-Capacity find_capacity(int first, int limit, const std::function<bool(int)>& holds) {
-    constexpr int parts = 20;
-    Capacity found = doubled(first, limit, holds);
-    if (!found.too_many) return found;
-    while (*found.too_many - found.held > std::max(1, found.held / parts)) {
-        const int middle = found.held + (*found.too_many - found.held) / 2;
-        if (holds(middle)) {
-            found.held = middle;
-        } else {
-            found.too_many = middle;
-        }
-    }
-    return found;
 }
 
 }  // namespace scipd::tools

@@ -15,8 +15,8 @@
 #include "tests/support/temp_dir.h"
 #include "tools/child_program.h"
 #include "tools/scipbench/bare_timer.h"
+#include "tools/scipbench/capacity.h"
 #include "tools/scipbench/capacity_report.h"
-#include "tools/scipbench/measure_capacity.h"
 #include "tools/scipbench/processor_use.h"
 
 namespace scipd::tools {
