@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -104,20 +104,17 @@ Expected<Array> parse_header(std::string_view bytes) {
         .map([&] { return array; });
 }
 
-template <class Unsigned>
-double take_integer(ByteReader& reader, bool is_signed) {
-    const auto value = reader.number<Unsigned>();
-    if (is_signed) return static_cast<double>(static_cast<std::make_signed_t<Unsigned>>(value));
-    return static_cast<double>(value);
-}
-
 double take_number(ByteReader& reader, const Array& array) {
     if (array.kind == 'f') return array.number_bytes == 4 ? reader.float32() : reader.float64();
-    const bool is_signed = array.kind == 'i';
-    if (array.number_bytes == 1) return take_integer<std::uint8_t>(reader, is_signed);
-    if (array.number_bytes == 2) return take_integer<std::uint16_t>(reader, is_signed);
-    if (array.number_bytes == 4) return take_integer<std::uint32_t>(reader, is_signed);
-    return take_integer<std::uint64_t>(reader, is_signed);
+    const auto value = [&]() -> std::uint64_t {
+        if (array.number_bytes == 1) return reader.number<std::uint8_t>();
+        if (array.number_bytes == 2) return reader.number<std::uint16_t>();
+        return array.number_bytes == 4 ? reader.number<std::uint32_t>()
+                                       : reader.number<std::uint64_t>();
+    }();
+    const auto unused_bits = static_cast<int>(64 - 8 * array.number_bytes);
+    if (array.kind == 'u') return static_cast<double>(value);
+    return static_cast<double>(static_cast<std::int64_t>(value << unused_bits) >> unused_bits);
 }
 
 class Npy final : public Recording {

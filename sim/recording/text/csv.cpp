@@ -18,16 +18,12 @@
 namespace scipd::sim {
 namespace {
 
-/// Stems of the titles, such as distance_mm_ of distance_mm_44: those of the ranges and of the
-/// intensities, for the only echo of a step, then for each of several.
+/// Stems of the titles, such as distance_mm_ of distance_mm_44: ranges at even indices, intensities
+/// at odd ones, of the only echo of a step, then of each of several.
 constexpr std::array<std::string_view, 8> stems = {
     "distance_mm_",  "intensity_",  "distance1_mm_", "intensity1_",
     "distance2_mm_", "intensity2_", "distance3_mm_", "intensity3_"};
 constexpr std::size_t stems_without_echoes = 2;
-
-bool is_of_intensities(std::size_t stem) {
-    return stem % 2 == 1;
-}
 
 /// Describes the rows below "host_time_s,stamp_ms,distance_mm_44,...". `cluster`: of a single step.
 Expected<table::Description> description_in(const table::Cells& titles, int cluster) {
@@ -47,7 +43,7 @@ Expected<table::Description> description_in(const table::Cells& titles, int clus
             return refuse(quote(title) + " is neither distance_mm_S nor intensity_S");
         const auto stem = static_cast<std::size_t>(found - stems.begin());
         if (std::exchange(last_stem, stem) != stem)
-            blocks.push_back({.first = column, .intensities = is_of_intensities(stem)});
+            blocks.push_back({.first = column, .intensities = stem % 2 == 1});
         ++blocks.back().steps;
         if (blocks.size() == 1) steps.push_back(static_cast<int>(*step));
         description.echoes = description.echoes || stem >= stems_without_echoes;
@@ -143,16 +139,6 @@ class Csv final : public TextRecording {
     int said_cluster_ = 1;
 };
 
-/// Of the columns of such scans, in their order.
-std::vector<std::size_t> stems_of(const RecordedScan& scan) {
-    std::vector<std::size_t> found;
-    const std::size_t first = scan.has_echoes() ? stems_without_echoes : 0;
-    const std::size_t end = scan.has_echoes() ? stems.size() : stems_without_echoes;
-    for (std::size_t stem = first; stem < end; stem += scan.intensities.empty() ? 2 : 1)
-        found.push_back(stem);
-    return found;
-}
-
 bool same_columns(const RecordedScan& a, const RecordedScan& b) {
     return a.directions == b.directions && a.steps() == b.steps() &&
            a.intensities.empty() == b.intensities.empty() && a.has_echoes() == b.has_echoes();
@@ -166,6 +152,10 @@ class CsvWriter final : public TextRecordingWriter {
   private:
     std::string head_of(const RecordedScan& scan) override {
         first_ = scan;
+        const std::size_t end = scan.has_echoes() ? stems.size() : stems_without_echoes;
+        std::size_t stem = scan.has_echoes() ? stems_without_echoes : 0;
+        for (; stem < end; stem += scan.intensities.empty() ? 2 : 1)
+            stems_.push_back(stem);
         const int first_step = scan.directions.first_step.value_or(0);
         const int cluster = scan.directions.cluster;
         std::ostringstream text;
@@ -183,9 +173,9 @@ class CsvWriter final : public TextRecordingWriter {
                  << *identity().steps_per_turn << " degrees, counter-clockwise from forward.\n";
         }
         text << "# host_time_s,stamp_ms";
-        for (const std::size_t stem : stems_of(scan)) {
+        for (const std::size_t column : stems_) {
             for (std::size_t i = 0; i < scan.steps(); ++i)
-                text << ',' << stems[stem] << first_step + static_cast<int>(i) * cluster;
+                text << ',' << stems[column] << first_step + static_cast<int>(i) * cluster;
         }
         text << '\n';
         return text.str();
@@ -198,11 +188,11 @@ class CsvWriter final : public TextRecordingWriter {
                 "have the same columns: ask for mcap, ubh or jsonl");
         std::string text = scan.host_time ? seconds_text(*scan.host_time) : "0.000000";
         text += "," + std::to_string(scan.stamp_ms.value_or(0));
-        for (const std::size_t stem : stems_of(scan)) {
+        for (const std::size_t stem : stems_) {
             const std::size_t echo = scan.has_echoes() ? stem / 2 - 1 : 0;
             for (std::size_t step = 0; step < scan.steps(); ++step) {
                 const auto values =
-                    is_of_intensities(stem) ? scan.intensities_of(step) : scan.ranges_of(step);
+                    stem % 2 == 1 ? scan.intensities_of(step) : scan.ranges_of(step);
                 text += ',';
                 if (echo < values.size()) text += whole_text(values[echo]);
             }
@@ -212,6 +202,7 @@ class CsvWriter final : public TextRecordingWriter {
 
     std::string recorder_;
     RecordedScan first_;
+    std::vector<std::size_t> stems_;  ///< of the columns
 };
 
 }  // namespace

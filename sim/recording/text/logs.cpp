@@ -28,29 +28,27 @@ struct Extras {
 
 /// A message with the scan of a laser: the columns of its line.
 struct LaserMessage {
-    std::string_view name;
     table::Columns columns;
     table::Column max_range_m;
     std::size_t count = 0;  ///< number of ranges, which begin in the next column
     Extras extras;
+    std::string_view name = {};  ///< in logs of CARMEN
 };
 
 constexpr table::Columns carmen_columns = {.host_time = -3, .first_rad = 2, .increment_rad = 4};
 constexpr std::array carmen_messages = {
-    LaserMessage{"FLASER", {.host_time = -3}, {}, 1, {.poses = true}},
-    LaserMessage{"RLASER", {.host_time = -3}, {}, 1, {.poses = true}},
-    LaserMessage{"RAWLASER", carmen_columns, 5, 8, {.remissions = true}},
-    LaserMessage{"ROBOTLASER", carmen_columns, 5, 8, {.remissions = true, .poses = true}}};
+    LaserMessage{{.host_time = -3}, {}, 1, {.poses = true}, "FLASER"},
+    LaserMessage{{.host_time = -3}, {}, 1, {.poses = true}, "RLASER"},
+    LaserMessage{carmen_columns, 5, 8, {.remissions = true}, "RAWLASER"},
+    LaserMessage{carmen_columns, 5, 8, {.remissions = true, .poses = true}, "ROBOTLASER"}};
 /// The time of the message, the host, and the time since the log began.
 constexpr std::size_t end_of_carmen_line = 3;
 
 /// Data of Player's interface laser, subtypes 1 and 2.
-constexpr table::Columns player_columns = {.host_time = 0, .first_rad = 8, .increment_rad = 10};
-constexpr table::Columns player_columns_with_pose = {
-    .host_time = 0, .first_rad = 11, .increment_rad = 13, .pose = 8};
-constexpr std::array player_messages = {
-    LaserMessage{"1", player_columns, 11, 12, {.pairs = true}},
-    LaserMessage{"2", player_columns_with_pose, 14, 15, {.pairs = true}}};
+constexpr LaserMessage player_scan = {
+    {.host_time = 0, .first_rad = 8, .increment_rad = 10}, 11, 12, {.pairs = true}};
+constexpr LaserMessage player_scan_with_pose = {
+    {.host_time = 0, .first_rad = 11, .increment_rad = 13, .pose = 8}, 14, 15, {.pairs = true}};
 
 /// Returns nullopt if the cell is no count of cells behind it.
 std::optional<std::size_t> count_at(const table::Cells& cells, std::size_t index) {
@@ -84,40 +82,33 @@ Directions half_turn(std::size_t values) {
     return {.first_rad = -std::numbers::pi / 2, .increment_rad = std::numbers::pi / gaps};
 }
 
-/// Returns nullopt if the line lacks numbers that it announces, or its time.
-std::optional<RecordedScan> scan_of_message(const table::Cells& cells,
-                                            const LaserMessage& message) {
-    const auto& [remissions, poses, pairs] = message.extras;
-    const std::size_t stride = pairs ? 2 : 1;
-    const std::size_t first = message.count + 1;
-    const std::size_t steps = count_at(cells, message.count).value_or(cells.size());
-    std::size_t behind = first + steps * stride;
-    const std::size_t fewest = behind + (pairs ? 0 : end_of_carmen_line);
-    if (cells.size() < fewest || (pairs && cells.size() > fewest)) return std::nullopt;
-    table::Description description{.columns = message.columns,
-                                   .blocks = {{first, steps, stride}},
-                                   .blank = {.unit = RangeUnit::metres}};
-    if (pairs) description.blocks.push_back({first + 1, steps, stride, true});
-    if (!message.columns.first_rad) description.blank.directions = half_turn(steps);
-    if (remissions) behind = add_remissions(cells, behind, description.blocks);
-    if (poses && cells.size() >= behind + 3 + end_of_carmen_line)
-        description.columns.pose = static_cast<int>(behind);
-    auto scan = table::scan_of(cells, description);
-    const bool whole =
-        scan && scan->host_time && scan->directions.first_rad && scan->directions.increment_rad;
-    return whole ? std::optional(*std::move(scan)) : std::nullopt;
-}
-
 /// A log whose streams are lasers.
 class LaserLog : public TextRecording {
   protected:
     using TextRecording::TextRecording;
 
-    /// `why`: the error of a line that lacks numbers.
+    /// `why`: the error of a line that lacks numbers that it announces, or its time.
     Next take_scan(const table::Cells& cells, const LaserMessage& message, RecordedStream laser,
                    const std::string& why) {
-        auto scan = scan_of_message(cells, message);
-        if (!scan) return refuse(why);
+        const auto& [remissions, poses, pairs] = message.extras;
+        const std::size_t first = message.count + 1;
+        const std::size_t stride = pairs ? 2 : 1;
+        const std::size_t steps = count_at(cells, message.count).value_or(cells.size());
+        std::size_t behind = first + steps * stride;
+        const std::size_t fewest = behind + (pairs ? 0 : end_of_carmen_line);
+        if (cells.size() < fewest || (pairs && cells.size() > fewest)) return refuse(why);
+        table::Description description{.columns = message.columns,
+                                       .blocks = {{first, steps, stride}},
+                                       .blank = {.unit = RangeUnit::metres}};
+        if (pairs) description.blocks.push_back({first + 1, steps, stride, true});
+        if (remissions) behind = add_remissions(cells, behind, description.blocks);
+        if (poses && cells.size() >= behind + 3 + end_of_carmen_line)
+            description.columns.pose = static_cast<int>(behind);
+        if (!message.columns.first_rad) description.blank.directions = half_turn(steps);
+        auto scan = table::scan_of(cells, description);
+        if (!scan || !scan->host_time || !scan->directions.first_rad ||
+            !scan->directions.increment_rad)
+            return refuse(why);
         const auto range_m = table::finite_at(cells, message.max_range_m);
         if (range_m && *range_m > 0) laser.identity.max_range_m = range_m;
         return RecordedItem{stream_of(laser.name, laser), *std::move(scan)};
@@ -169,7 +160,7 @@ class Player final : public LaserLog {
                 "subtype, as those of file version 0.2 and 0.3 do");
         if (cells[3] != "laser") return leave_out(std::string(cells[3]));
         if (*type != 1 || (*subtype != 1 && *subtype != 2)) return std::nullopt;
-        return take_scan(cells, player_messages.at(*subtype == 1 ? 0 : 1),
+        return take_scan(cells, *subtype == 1 ? player_scan : player_scan_with_pose,
                          {.name = "laser:" + std::string(cells[4]), .type = "Player laser"},
                          "must have a range and an intensity for each reading that it announces");
     }

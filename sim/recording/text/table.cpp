@@ -280,21 +280,18 @@ std::string why_no_number(const Cells& cells, std::size_t column) {
 }
 
 Expected<Table> table_without_titles(const Cells& first) {
-    // SCIP's largest range is 262 143 mm.
-    constexpr double no_range = 1e6;
+    constexpr double no_range = 1e6;  // SCIP's largest range is 262 143 mm
     const auto numbers = numbers_in(first);
     for (std::size_t column = 0; column < first.size(); ++column) {
         if (!table::number_in(first[column])) return refuse(why_no_number(first, column));
     }
     if (auto table = core_slam_table(numbers)) return *std::move(table);
-    const auto is_no_range = [](double number) {
-        return std::isfinite(number) && std::abs(number) >= no_range;
-    };
-    const auto found = std::ranges::find_if(numbers, is_no_range);
-    if (found != numbers.end())
-        return refuse(cell_text(first, static_cast<std::size_t>(found - numbers.begin())) +
-                      " is no range; leave out the columns that are none, such as times: cut -d, "
-                      "-f2-");
+    for (std::size_t column = 0; column < first.size(); ++column) {
+        if (std::isfinite(numbers[column]) && std::abs(numbers[column]) >= no_range)
+            return refuse(cell_text(first, column) +
+                          " is no range; leave out the columns that are none, such as times: cut "
+                          "-d, -f2-");
+    }
     return Table{.columns = first.size(), .description = {.blocks = {{0, first.size()}}}};
 }
 
@@ -368,7 +365,7 @@ class TableRecording final : public TextRecording {
         if (table::is_no_row(line)) return std::nullopt;
         if (!table_) return tl::unexpected(table_.error());
         if (std::exchange(table_->has_titles, false)) return std::nullopt;
-        const Cells cells = table::cells_of(line, table_->columns);
+        const Cells cells = table::cells_of(line, table::any_separator, table_->columns);
         if (cells.size() != table_->columns)
             return refuse("must have " + std::to_string(table_->columns) +
                           " numbers as the first row, not " + std::to_string(cells.size()));

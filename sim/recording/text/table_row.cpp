@@ -53,14 +53,9 @@ std::optional<LaserPose> pose_at(const Cells& cells, Column column) {
 
 }  // namespace
 
-Cells cells_of(std::string_view row, std::size_t wanted) {
-    for (const char separator : {';', ','}) {
-        if (row.find(separator) != row.npos) return cells_of(row, separator, wanted);
-    }
-    return cells_of(row, ' ', wanted);
-}
-
 Cells cells_of(std::string_view row, char separator, std::size_t wanted) {
+    const auto has = [&](char mark) { return row.find(mark) != row.npos; };
+    if (separator == any_separator) separator = has(';') ? ';' : has(',') ? ',' : ' ';
     const std::string_view separators = separator == ' ' ? " \t" : std::string_view(&separator, 1);
     row = trimmed(row);
     const bool ends_empty = row.ends_with(separator);

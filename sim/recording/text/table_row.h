@@ -17,11 +17,14 @@ namespace scipd::sim::table {
 
 using Cells = std::vector<std::string_view>;
 
-/// The cells between semicolons, or commas, or blanks, without blanks around them: the first of
-/// these separators that the row has, so that a decimal comma splits no cell. An empty cell at the
-/// end is one only if the row has `wanted` cells with it.
-[[nodiscard]] Cells cells_of(std::string_view row, std::size_t wanted = 0);
-[[nodiscard]] Cells cells_of(std::string_view row, char separator, std::size_t wanted = 0);
+/// Semicolons, else commas, else blanks. Those that the row has, so that a decimal comma between
+/// semicolons splits no cell.
+inline constexpr char any_separator = '\0';
+
+/// Cells without blanks around them. An empty one at the end counts only if the row has `wanted`
+/// cells with it.
+[[nodiscard]] Cells cells_of(std::string_view row, char separator = any_separator,
+                             std::size_t wanted = 0);
 
 /// True for blanks alone, and for a comment.
 [[nodiscard]] bool is_no_row(std::string_view line);

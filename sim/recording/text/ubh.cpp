@@ -119,19 +119,17 @@ class Ubh final : public TextRecording {
         for (const auto& text : text_keys) {
             if (key == text.name) stream(0).identity.*text.value = value;
         }
-        if (number && *number >= 0 && *number <= 1e6) read_count(key, static_cast<int>(*number));
-        return {};
-    }
-
-    void read_count(const std::string& key, int count) {
+        if (!number || *number < 0 || *number > 1e6) return {};
+        const int count = static_cast<int>(*number);
         if (key == "startStep") directions_.first_step = count;
         if (key == "grouping") directions_.cluster = std::max(count, 1);
         for (const auto& step : step_keys) {
             if (key == step.name) stream(0).identity.*step.value = count;
         }
-        for (const auto& number : number_keys) {
-            if (key == number.name) stream(0).identity.*number.value = count / number.per_unit;
+        for (const auto& size : number_keys) {
+            if (key == size.name) stream(0).identity.*size.value = count / size.per_unit;
         }
+        return {};
     }
 
     Next take_scan(std::string_view values) {

@@ -70,6 +70,16 @@ TEST(Npy, HoldsMetresOfEitherOrder) {
 TEST(Npy, HoldsNegativeIntegers) {
     const ReadBack back = read_bytes(npy("<i4", "(2,)", raw<std::int32_t>({-1, 70000})));
     EXPECT_THAT(back.scans()[0].ranges, ElementsAre(-1, 70000));
+    const auto ranges_of = [](const std::string& type, const std::string& data) {
+        return read_bytes(npy(type, "(2,)", data)).scans().at(0).ranges;
+    };
+    EXPECT_THAT(ranges_of("|i1", raw<std::int8_t>({-128, 127})), ElementsAre(-128, 127));
+    EXPECT_THAT(ranges_of("|u1", raw<std::uint8_t>({128, 255})), ElementsAre(128, 255));
+    EXPECT_THAT(ranges_of("<i2", raw<std::int16_t>({-2, 32767})), ElementsAre(-2, 32767));
+    EXPECT_THAT(ranges_of(">i8", raw<std::int64_t>({-5, 1LL << 40}, true)),
+                ElementsAre(-5, 1LL << 40));
+    EXPECT_THAT(ranges_of("<u8", raw<std::uint64_t>({1ULL << 63, 7})), ElementsAre(0x1p63, 7));
+    EXPECT_THAT(ranges_of("<u4", raw<std::uint32_t>({0xFFFFFFFF, 7})), ElementsAre(0xFFFFFFFF, 7));
 }
 
 TEST(Npy, IsReadToItsLastWholeScan) {
