@@ -17,8 +17,8 @@ namespace scipd::sim::table {
 
 using Cells = std::vector<std::string_view>;
 
-/// Semicolons, else commas, else blanks. Those that the row has, so that a decimal comma between
-/// semicolons splits no cell.
+/// The row's own separator: a semicolon if it has one, else a comma, else blanks. A decimal comma
+/// between semicolons splits no cell.
 inline constexpr char any_separator = '\0';
 
 /// Cells without blanks around them. An empty one at the end counts only if the row has `wanted`
