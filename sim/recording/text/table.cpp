@@ -384,7 +384,7 @@ class TableRecording final : public TextRecording {
 
 bool is_row_of_numbers(std::string_view line) {
     line = trimmed(line);
-    // Where the commas are in the numbers, it is a table as well, and refused as one.
+    // Decimal commas included: such a table is refused as one.
     constexpr std::string_view letters = "0123456789+-.,; \tenaifENAIF";
     return line.find_first_of("0123456789") != line.npos &&
            line.find_first_of(" \t,;") != line.npos && line.find_first_not_of(letters) == line.npos;

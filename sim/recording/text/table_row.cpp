@@ -47,8 +47,7 @@ std::optional<LaserPose> pose_at(const Cells& cells, Column column) {
     const auto x_m = finite_at(cells, column);
     const auto y_m = finite_at(cells, column, 1);
     const auto yaw_rad = finite_at(cells, column, 2);
-    if (!x_m || !y_m || !yaw_rad) return std::nullopt;
-    return LaserPose{*x_m, *y_m, *yaw_rad};
+    return x_m && y_m && yaw_rad ? std::optional(LaserPose{*x_m, *y_m, *yaw_rad}) : std::nullopt;
 }
 
 }  // namespace

@@ -101,13 +101,10 @@ class Ubh final : public TextRecording {
         if (key_.empty() && !line.empty())
             return refuse("must be a key in brackets, such as [model], or the value below one");
         const std::string key = std::exchange(key_, {});
-        if (key == "scan") return take_scan(line);
-        if (const auto read = read_value(key, std::string(line)); !read)
-            return tl::unexpected(read.error());
-        return std::nullopt;
+        return key == "scan" ? take_scan(line) : take_value(key, std::string(line));
     }
 
-    Expected<> read_value(const std::string& key, const std::string& value) {
+    Next take_value(const std::string& key, const std::string& value) {
         const auto number = parse_number(value);
         if (key == "timestamp") {
             if (!number || *number < 0 || *number > 0xFFFFFFFF)
@@ -119,7 +116,7 @@ class Ubh final : public TextRecording {
         for (const auto& text : text_keys) {
             if (key == text.name) stream(0).identity.*text.value = value;
         }
-        if (!number || *number < 0 || *number > 1e6) return {};
+        if (!number || *number < 0 || *number > 1e6) return std::nullopt;
         const int count = static_cast<int>(*number);
         if (key == "startStep") directions_.first_step = count;
         if (key == "grouping") directions_.cluster = std::max(count, 1);
@@ -129,7 +126,7 @@ class Ubh final : public TextRecording {
         for (const auto& size : number_keys) {
             if (key == size.name) stream(0).identity.*size.value = count / size.per_unit;
         }
-        return {};
+        return std::nullopt;
     }
 
     Next take_scan(std::string_view values) {
@@ -145,7 +142,7 @@ class Ubh final : public TextRecording {
         }
         if (!scan.intensities.empty() && scan.intensities.size() != scan.ranges.size())
             return refuse("some values have an intensity and some have none");
-        // Where no step has several, they are the only ones.
+        // One value a step: no echoes, unless the mode asks for them.
         if (!has_echoes_ && scan.echo_ends.size() == scan.ranges.size()) scan.echo_ends.clear();
         return RecordedItem{0, std::move(scan)};
     }
