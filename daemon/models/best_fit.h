@@ -8,7 +8,7 @@
 #include <string>
 
 #include "daemon/models/model.h"
-#include "sim/recording/values/directions.h"
+#include "sim/recording/values/recorded_scan.h"
 #include "sim/world/lidar.h"
 
 namespace scipd::daemon {

@@ -37,8 +37,8 @@ class DecodedRecording final : public sim::Recording {
         while (ready_.empty()) {
             auto item = inner_->next();
             if (!item) return item;
-            meet_streams();
             if (!*item) return end();
+            if (inner_->streams().size() > met_) meet_streams();
             take(std::move(**item));
         }
         RecordedItem item = std::move(ready_.front());
@@ -49,6 +49,7 @@ class DecodedRecording final : public sim::Recording {
 
     /// Takes over the streams of scans; the others once they turn out to be SCIP.
     void meet_streams() {
+        met_ = inner_->streams().size();
         for (const auto& stream : inner_->streams()) {
             const auto index = static_cast<std::size_t>(&stream - inner_->streams().data());
             if (stream.has_scans) outer_index(index);
@@ -90,6 +91,7 @@ class DecodedRecording final : public sim::Recording {
     }
 
     Next end() {
+        meet_streams();
         for (const auto& [index, times] : times_) {
             if (times.back == 0) continue;
             warn(sim::printable(streams()[index].name) + ": the times of its scans go back " +
@@ -115,6 +117,7 @@ class DecodedRecording final : public sim::Recording {
     };
 
     std::unique_ptr<sim::Recording> inner_;
+    std::size_t met_ = 0;  ///< of its streams
     std::map<std::size_t, Times> times_;
     std::map<std::size_t, std::size_t> outer_;  ///< by the index of the inner stream
     std::map<std::size_t, WireDecoder> decoders_;

@@ -16,7 +16,6 @@
 
 #include "sim/recording/compression/compression.h"
 #include "sim/recording/mcap/mcap.h"
-#include "sim/recording/merged_recording.h"
 #include "sim/recording/npy/npy.h"
 #include "sim/recording/pcap/pcap.h"
 #include "sim/recording/recording_files.h"
@@ -171,10 +170,7 @@ Expected<std::unique_ptr<Recording>> open_recording(const fs::path& path) {
 }
 
 Expected<std::unique_ptr<Recording>> open_recording(std::span<const fs::path> paths) {
-    const auto files = files_of(paths);
-    if (!files) return tl::unexpected(files.error());
-    const bool single = files->size() == 1 && files->front().missing.empty();
-    return single ? open_file(files->front().path) : MergedRecording::open(*files, open_file);
+    return open_files(paths, open_file);
 }
 
 Expected<std::unique_ptr<Recording>> open_recording(InputFile file) {

@@ -2,28 +2,28 @@
 // Copyright The scipd authors
 //
 // The files of a recording, as users name them: files, and folders of rosbag2 or of a split bag.
+// Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/expected.h"
+#include "sim/recording/values/recording.h"
 
 namespace scipd::sim {
 
-struct RecordingFile {
-    std::filesystem::path path;
-    bool named = true;    ///< by the user; else a folder has it
-    std::string missing;  ///< a sentence, where the folder should have it
-};
+using OpenFile = std::function<Expected<std::unique_ptr<Recording>>(const std::filesystem::path&)>;
 
-/// The files, with those of folders in place of the folders: in the order of metadata.yaml, or by
-/// their names. The fault names the folder and what is wrong.
-[[nodiscard]] Expected<std::vector<RecordingFile>> files_of(
-    std::span<const std::filesystem::path> paths);
+/// Several files as one recording in order of time; streams of one name and one scanner are one
+/// stream. In place of a folder come its files: those that metadata.yaml names, or bags. One of
+/// those that is missing or cannot be read is left out with a warning.
+[[nodiscard]] Expected<std::unique_ptr<Recording>> open_files(
+    std::span<const std::filesystem::path> paths, const OpenFile& open_file);
 
 /// "a.mcap+b.mcap": several files that an argument names as one recording. A file with a plus sign
 /// in its name is itself.

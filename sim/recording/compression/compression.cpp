@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "sim/recording/compression/compression.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <new>
@@ -36,7 +37,7 @@ struct Step {
 
 /// Calls `step(packed, room)` until all is unpacked, and `write` with what each step makes.
 Expected<> unpack(std::string_view packed, bool& whole, const auto& step, const auto& write) {
-    std::string piece(piece_bytes, '\0');
+    thread_local std::string piece(piece_bytes, '\0');
     bool full = false;  // the library may hold more than fitted into the last piece
     while (!packed.empty() || (full && !whole)) {
         const Step done = step(packed, piece);
@@ -51,14 +52,23 @@ Expected<> unpack(std::string_view packed, bool& whole, const auto& step, const 
     return {};
 }
 
-Expected<std::string> unpack_block(std::string_view packed, const char* library, const auto& step) {
+Expected<std::string> unpack_block(std::string_view packed, std::uint64_t& left,
+                                   const char* library, const auto& step) {
+    constexpr std::size_t always = std::size_t{64} << 20;
+    const auto most =
+        std::min<std::uint64_t>(left, std::clamp(100 * packed.size(), always, largest_block));
     std::string bytes;
     bool whole = packed.empty();
     const auto done = unpack(packed, whole, step, [&](std::string_view piece) -> Expected<> {
+        if (bytes.size() + piece.size() > most)
+            return refuse("makes more than " + std::to_string(most) + " bytes");
+        // Doubled beyond this, it would take twice the memory of the largest.
+        if (bytes.capacity() < bytes.size() + piece.size() && bytes.size() >= always)
+            bytes.reserve(most);
         bytes += piece;
-        if (bytes.size() <= largest_block) return {};
-        return refuse("makes more than " + std::to_string(largest_block) + " bytes");
+        return {};
     });
+    left -= bytes.size();
     if (!done) return tl::unexpected(done.error());
     if (!whole) return refuse(std::string("is ") + library + " that was cut off");
     return bytes;
@@ -81,17 +91,19 @@ std::unique_ptr<ZSTD_DStream, Release<ZSTD_freeDStream>> zstd_stream() {
     return std::unique_ptr<ZSTD_DStream, Release<ZSTD_freeDStream>>(ZSTD_createDStream());
 }
 
-Expected<std::string> zstd_block(std::string_view packed) {
-    const auto stream = zstd_stream();
-    return unpack_block(packed, "zstd", zstd_step(stream.get()));
+Expected<std::string> zstd_block(std::string_view packed, std::uint64_t& left) {
+    // Made once: a file may have a million blocks.
+    thread_local const auto stream = zstd_stream();
+    ZSTD_DCtx_reset(stream.get(), ZSTD_reset_session_only);
+    return unpack_block(packed, left, "zstd", zstd_step(stream.get()));
 }
 
-Expected<std::string> unpack_lz4(std::string_view packed) {
+Expected<std::string> lz4_block(std::string_view packed, std::uint64_t& left) {
     LZ4F_dctx* created = nullptr;
     if (LZ4F_isError(LZ4F_createDecompressionContext(&created, LZ4F_VERSION)) != 0)
         throw std::bad_alloc();
     const std::unique_ptr<LZ4F_dctx, Release<LZ4F_freeDecompressionContext>> context(created);
-    return unpack_block(packed, "lz4", [&](std::string_view rest, std::string& piece) {
+    return unpack_block(packed, left, "lz4", [&](std::string_view rest, std::string& piece) {
         Step step{rest.size(), piece.size(), false, {}};
         const std::size_t to_come = LZ4F_decompress(context.get(), piece.data(), &step.made,
                                                     rest.data(), &step.read, nullptr);
@@ -102,12 +114,12 @@ Expected<std::string> unpack_lz4(std::string_view packed) {
     });
 }
 
-Expected<std::string> unpack_bzip2(std::string_view packed) {
+Expected<std::string> bzip2_block(std::string_view packed, std::uint64_t& left) {
     if (packed.size() > std::numeric_limits<unsigned>::max()) return refuse("is too large");
     bz_stream stream{};
     if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) throw std::bad_alloc();
     const std::unique_ptr<bz_stream, Release<BZ2_bzDecompressEnd>> end(&stream);
-    return unpack_block(packed, "bzip2", [&](std::string_view rest, std::string& piece) {
+    return unpack_block(packed, left, "bzip2", [&](std::string_view rest, std::string& piece) {
         // The library wants characters that could be written, but writes none.
         stream.next_in = const_cast<char*>(rest.data());
         stream.avail_in = static_cast<unsigned>(rest.size());
@@ -145,11 +157,12 @@ std::string pack_lz4(std::string_view bytes) {
 
 }  // namespace
 
-Expected<std::string> unpack(std::string_view method, std::string_view packed) {
+Expected<std::string> unpack(std::string_view method, std::string_view packed,
+                             std::uint64_t& left) {
     if (method.empty() || method == "none") return std::string(packed);
-    if (method == "zstd") return zstd_block(packed);
-    if (method == "lz4") return unpack_lz4(packed);
-    if (method == "bz2") return unpack_bzip2(packed);
+    if (method == "zstd") return zstd_block(packed, left);
+    if (method == "lz4") return lz4_block(packed, left);
+    if (method == "bz2") return bzip2_block(packed, left);
     return refuse("is packed by " + quote(method) + ", which is unknown");
 }
 

@@ -52,14 +52,20 @@ InputFile InputFile::of_bytes(std::string name, std::string bytes) {
 
 Expected<std::string> InputFile::read(std::uint64_t offset, std::size_t count) {
     if (offset >= size_) return std::string{};
-    std::string bytes(std::min<std::uint64_t>(count, size_ - offset), '\0');
+    count = std::min<std::uint64_t>(count, size_ - offset);
+    if (offset >= window_begin_ && offset + count <= window_begin_ + window_.size())
+        return window_.substr(offset - window_begin_, count);
+    std::string bytes(std::max(count, window_bytes), '\0');
     const bool found = fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) == 0;
     const std::size_t got = found ? std::fread(bytes.data(), 1, bytes.size(), file_.get()) : 0;
     // Somebody may have shortened it meanwhile, which is no error of reading.
     if (!found || std::ferror(file_.get()) != 0)
         return refuse_byte(offset, "cannot be read: " + std::string(std::strerror(errno)));
     bytes.resize(got);
-    return bytes;
+    if (count >= window_bytes) return bytes;
+    window_ = std::move(bytes);
+    window_begin_ = offset;
+    return window_.substr(0, count);
 }
 
 std::FILE* InputFile::release() {

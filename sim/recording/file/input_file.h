@@ -46,6 +46,9 @@ class InputFile {
     [[nodiscard]] tl::unexpected<Fault> refuse(const std::string& why) const;
 
   private:
+    /// Bytes that are read at once where fewer are asked for.
+    static constexpr std::size_t window_bytes = std::size_t{16} << 10;
+
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
@@ -55,6 +58,8 @@ class InputFile {
     std::unique_ptr<std::string> bytes_;  ///< of a file in memory; stays where it is
     std::unique_ptr<std::FILE, Close> file_;
     std::uint64_t size_ = 0;
+    std::string window_;  ///< the last bytes that were read
+    std::uint64_t window_begin_ = 0;
 };
 
 }  // namespace scipd::sim

@@ -5,7 +5,6 @@
 #include <boost/crc.hpp>
 
 #include "sim/recording/file/byte_reader.h"
-#include "sim/recording/file/byte_writer.h"
 
 namespace scipd::sim::mcap {
 namespace {

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -58,17 +59,19 @@ class Mcap final : public BlockRecording {
   private:
     std::optional<std::uint64_t> take_record(std::uint64_t byte) override;
     std::optional<std::uint64_t> chunk_behind(std::uint64_t byte) override;
+    void read_index();
     Expected<> take_content(Opcode opcode, std::uint64_t byte, std::uint64_t length);
     Expected<> take(Opcode opcode, std::string_view content);
     Expected<> take_channel(std::string_view content);
     void take_metadata(const mcap::Metadata& metadata);
     Expected<std::string> records_of(std::string block) override;
-    Expected<> take_record(ByteReader& records, Unpacked& unpacked) override;
+    bool take_record(ByteReader& records, Unpacked& unpacked) override;
     Next item_of(const Message& message, std::string_view data) override;
     Expected<RecordedItem> json_scan(std::size_t of, HostTime logged, std::string_view data);
     std::size_t stream_of(std::string_view topic, std::string_view suffix);
 
     bool in_summary_ = false;
+    std::optional<std::set<std::uint64_t>> indexed_;
     bool knows_channels_ = false;  ///< by the summary
     std::map<std::uint16_t, mcap::Schema> schemas_;
     std::map<std::uint16_t, Content> contents_;
@@ -104,31 +107,34 @@ std::optional<std::uint64_t> Mcap::take_record(std::uint64_t byte) {
     return byte + mcap::record_head + length;
 }
 
-/// The next chunk by the index, or the index itself.
 std::optional<std::uint64_t> Mcap::chunk_behind(std::uint64_t byte) {
     if (in_summary_) return std::nullopt;
-    using mcap::record_head;
-    constexpr std::uint64_t footer = 20;  // bytes of its content
-    if (file_.size() < footer + mcap::magic.size()) return std::nullopt;
-    const auto end =
-        file_.read(file_.size() - footer - mcap::magic.size(), footer + mcap::magic.size());
-    if (!end || !end->ends_with(mcap::magic)) return std::nullopt;
+    if (!indexed_) read_index();
+    const auto chunk = indexed_->upper_bound(byte);
+    if (chunk == indexed_->end()) return std::nullopt;
+    return *chunk;
+}
+
+/// Where the chunks begin, and the index itself.
+void Mcap::read_index() {
+    constexpr std::uint64_t tail = 20 + mcap::magic.size();  // content of the footer
+    indexed_.emplace();
+    const auto end = file_.read(file_.size() - std::min(tail, file_.size()), tail);
+    if (!end || end->size() < tail || !end->ends_with(mcap::magic)) return;
     const auto index = ByteReader(*end).number<std::uint64_t>();
-    if (index <= byte) return std::nullopt;
-    std::uint64_t nearest = index;
     for (std::uint64_t at = index; at < file_.size();) {
-        const auto bytes = file_.read(at, record_head + 3 * sizeof(std::uint64_t));
-        if (!bytes) break;
+        indexed_->insert(index);
+        const auto bytes = file_.read(at, mcap::record_head + 3 * sizeof(std::uint64_t));
+        if (!bytes) return;
         ByteReader reader(*bytes);
         const auto opcode = static_cast<Opcode>(reader.number<std::uint8_t>());
         const auto length = reader.number<std::uint64_t>();
         reader.skip(2 * sizeof(std::uint64_t));  // the times of its first and last message
         const auto chunk = reader.number<std::uint64_t>();
-        if (reader.too_short() || length > file_.size()) break;
-        if (opcode == Opcode::chunk_index && chunk > byte) nearest = std::min(nearest, chunk);
-        at += record_head + length;
+        if (reader.too_short() || length > file_.size()) return;
+        if (opcode == Opcode::chunk_index && chunk < index) indexed_->insert(chunk);
+        at += mcap::record_head + length;
     }
-    return nearest;
 }
 
 /// Takes a record of the file; of a chunk or a message the times alone.
@@ -162,22 +168,26 @@ Expected<std::string> Mcap::records_of(std::string block) {
     if (!block.starts_with(static_cast<char>(Opcode::chunk))) return block;
     const auto chunk = mcap::parse_chunk(std::string_view(block).substr(mcap::record_head));
     if (!chunk) return refuse("is damaged: " + chunk.error().why);
-    auto bytes = sim::unpack(chunk->compression, chunk->records);
+    auto bytes = sim::unpack(chunk->compression, chunk->records, unpack_left_);
     if (bytes &&
         (bytes->size() != chunk->size || (chunk->crc != 0 && mcap::crc32(*bytes) != chunk->crc)))
         return refuse("is damaged: its checksum is wrong");
     return bytes;
 }
 
-Expected<> Mcap::take_record(ByteReader& records, Unpacked& unpacked) {
+bool Mcap::take_record(ByteReader& records, Unpacked& unpacked) {
     const auto opcode = static_cast<Opcode>(records.number<std::uint8_t>());
     const std::string_view content = records.take(records.number<std::uint64_t>());
-    if (records.too_short()) return {};
-    if (opcode != Opcode::message) return take(opcode, content);
-    return mcap::parse_message(content).map([&](const mcap::Message& message) {
-        if (has_topic(message.channel) || contents_.contains(message.channel))
-            unpacked.add(host_time(message.log_ns), message.channel, message.data);
-    });
+    if (records.too_short() || opcode == Opcode{}) return false;
+    const auto message = [&] {
+        return mcap::parse_message(content).map([&](const mcap::Message& found) {
+            if (has_topic(found.channel) || contents_.contains(found.channel))
+                unpacked.add(host_time(found.log_ns), found.channel, found.data);
+        });
+    };
+    if (const auto taken = opcode == Opcode::message ? message() : take(opcode, content); !taken)
+        lose(file_.refuse_byte(unpacked.byte, taken.error().why));
+    return true;
 }
 
 Expected<> Mcap::take(Opcode opcode, std::string_view content) {

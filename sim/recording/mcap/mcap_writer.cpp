@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "sim/recording/compression/compression.h"
-#include "sim/recording/file/byte_writer.h"
 
 namespace scipd::sim::mcap {
 namespace {

@@ -89,7 +89,7 @@ class Bag final : public BlockRecording {
     void set_times(Block& chunk);
     void add_connection(const BagFields& fields, std::string_view data);
     Expected<std::string> records_of(std::string block) override;
-    Expected<> take_record(ByteReader& records, Unpacked& unpacked) override;
+    bool take_record(ByteReader& records, Unpacked& unpacked) override;
 
     std::map<std::uint64_t, Block> infos_;  ///< by the byte where the chunk begins
     bool knows_connections_ = false;        ///< from outside of chunks
@@ -191,18 +191,19 @@ Expected<std::string> Bag::records_of(std::string block) {
     ByteReader head(block);
     const BagFields fields(head.text());
     if (fields.operation() != Operation::chunk) return block;
-    return sim::unpack(fields.text("compression"), head.text());
+    return sim::unpack(fields.text("compression"), head.text(), unpack_left_);
 }
 
-Expected<> Bag::take_record(ByteReader& records, Unpacked& unpacked) {
-    const BagFields fields(records.text());
+bool Bag::take_record(ByteReader& records, Unpacked& unpacked) {
+    const std::string_view header = records.text();
     const std::string_view data = records.text();
+    if (records.too_short() || header.empty()) return false;
+    const BagFields fields(header);
     const auto connection = fields.number<std::uint32_t>("conn");
-    if (records.too_short()) return {};
     if (fields.operation() == Operation::connection) add_connection(fields, data);
     if (fields.operation() == Operation::message && has_topic(connection))
         unpacked.add(bag_time(fields, "time"), connection, data);
-    return {};
+    return true;
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ void BlockRecording::Unpacked::add(HostTime time, std::uint32_t channel, std::st
 }
 
 bool BlockRecording::walk(std::uint64_t byte) {
-    while (byte < file_.size()) {
+    while (byte < file_.size() && !is_beyond_reading()) {
         if (const auto end = take_record(byte)) {
             byte = *end;
             continue;
@@ -82,6 +82,7 @@ BlockRecording::Unpacked BlockRecording::unpack(const Block& block) {
                                "the chunk of " + std::to_string(block.size) + " bytes " + why));
         return std::move(unpacked);
     };
+    if (is_beyond_reading()) return unpacked;
     if (block.size > largest_block) return lose_block("is too large");
     auto bytes = file_.read(block.byte, block.size);
     if (!bytes) {
@@ -93,9 +94,7 @@ BlockRecording::Unpacked BlockRecording::unpack(const Block& block) {
     unpacked.bytes = std::move(*bytes);
     ByteReader records(unpacked.bytes);
     while (!records.at_end()) {
-        const auto taken = take_record(records, unpacked);
-        if (records.too_short()) return lose_block("ends within a record");
-        if (!taken) lose(file_.refuse_byte(block.byte, taken.error().why));
+        if (!take_record(records, unpacked)) return lose_block("ends within a record");
     }
     return unpacked;
 }
@@ -124,7 +123,7 @@ void BlockRecording::open_early_blocks() {
 Recording::Next BlockRecording::do_next() {
     for (;;) {
         open_early_blocks();
-        if (open_.empty()) return std::nullopt;
+        if (open_.empty() || is_beyond_reading()) return std::nullopt;
         std::ranges::pop_heap(open_, is_later);
         Unpacked& block = open_.back();
         const Message message = block.messages[block.next++];

@@ -200,7 +200,7 @@ class Db3 final : public LaserRecording {
     }
 
     Next do_next() override {
-        for (;;) {
+        while (!is_beyond_reading()) {
             const auto row = messages_->next();
             if (!row)
                 lose(file_.refuse("the rest, behind message " + std::to_string(message_) +
@@ -216,6 +216,7 @@ class Db3 final : public LaserRecording {
             if (item) return std::move(*item);
             lose(file_.refuse("message " + std::to_string(message_) + ": " + item.error().why));
         }
+        return std::nullopt;
     }
 
     Expected<RecordedItem> item_of(std::uint32_t topic) {
@@ -224,7 +225,7 @@ class Db3 final : public LaserRecording {
         if (!row) return tl::unexpected(row.error());
         const HostTime logged{std::chrono::nanoseconds(log_ns_)};
         const std::string_view data = *row ? data_->bytes(0) : std::string_view{};
-        return unpack(data.starts_with(zstd_magic) ? "zstd" : "", data)
+        return unpack(data.starts_with(zstd_magic) ? "zstd" : "", data, unpack_left_)
             .and_then([&](const std::string& bytes) { return laser_item(topic, logged, bytes); });
     }
 

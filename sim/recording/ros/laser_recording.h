@@ -6,6 +6,7 @@
 // under topics. Of one owner; any thread.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <map>
@@ -59,6 +60,9 @@ class LaserRecording : public Recording {
                                                     std::string_view bytes);
 
     InputFile file_;
+    /// Bytes that may still be unpacked from the file, some of them twice.
+    std::uint64_t unpack_left_ =
+        std::max<std::uint64_t>(std::uint64_t{1} << 29, 100 * file_.size());
 
   private:
     struct Topic {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/recording/values/directions.h"
+#include "sim/recording/values/scanner_identity.h"
 
 namespace scipd::sim {
 
@@ -27,6 +27,24 @@ using HostTime = std::chrono::time_point<std::chrono::system_clock, std::chrono:
     const std::chrono::seconds seconds{std::clamp(unix_s, -most_s, most_s)};
     return HostTime(seconds + std::chrono::nanoseconds(nanoseconds % 1'000'000'000));
 }
+
+/// Directions of the values of a scan, in the steps of SCIP and in angles. Facts that the recording
+/// does not have are empty.
+struct Directions {
+    std::optional<int> first_step;        ///< SCIP's number of the step that the first value is of
+    int cluster = 1;                      ///< neighbouring steps that share one value
+    std::optional<double> first_rad;      ///< counter-clockwise from forward
+    std::optional<double> increment_rad;  ///< from one value to the next
+
+    bool operator==(const Directions&) const = default;
+};
+
+/// With the angles that follow from the steps, if the scanner says which step looks forward and how
+/// many there are in a turn.
+[[nodiscard]] Directions with_angles(Directions directions, const ScannerIdentity& identity);
+
+/// The reverse: what steps and angles together say of the scanner's turn.
+void learn_turn(const Directions& directions, ScannerIdentity& identity);
 
 enum class RangeUnit {
     millimetres,  ///< whole ones and codes for "no distance", as a scanner sends them

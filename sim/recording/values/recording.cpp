@@ -33,7 +33,9 @@ Expected<std::optional<RecordedItem>> Recording::next() {
     given_ = given_ || !ended_;
     if (!ended_ || !item) return item;
     if (lost_ && !given_) return tl::unexpected(*lost_);
-    if (losses_ > most_losses_named)
+    if (is_beyond_reading())
+        warn("so many parts are damaged that the rest is not read");
+    else if (losses_ > most_losses_named)
         warn(std::to_string(losses_ - most_losses_named) + " more damaged parts are left out");
     if (!left_out_.empty())
         warn(file_ + ": left out, since no scans are read from it: " + names_of(left_out_));
@@ -42,10 +44,13 @@ Expected<std::optional<RecordedItem>> Recording::next() {
 
 void Recording::lose(const tl::unexpected<Fault>& why) {
     if (!lost_) lost_ = why.value();
+    if (losses_++ >= most_losses_named) return;
     std::string warning = why.value().why + "; it is left out";
     // A block may be unpacked twice.
-    if (std::ranges::find(warnings_, warning) != warnings_.end()) return;
-    if (++losses_ <= most_losses_named) warn(std::move(warning));
+    if (std::ranges::find(warnings_, warning) == warnings_.end())
+        warn(std::move(warning));
+    else
+        --losses_;
 }
 
 void Recording::leave_out(const std::string& file, const std::string& name,

@@ -89,12 +89,16 @@ class Recording {
     void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
     /// Counts a damaged part that is passed over, with a warning.
     void lose(const tl::unexpected<Fault>& why);
+    /// True once so many parts are damaged that no more is read.
+    [[nodiscard]] bool is_beyond_reading() const { return losses_ > most_losses; }
     /// A topic, or the like, from which no scans are read: named in one warning at the end. `file`
     /// begins that warning.
     void leave_out(const std::string& file, const std::string& name, const std::string& type);
 
   private:
     [[nodiscard]] virtual Next do_next() = 0;
+
+    static constexpr std::size_t most_losses = 10'000;
 
     std::string format_;
     std::vector<RecordedStream> streams_;

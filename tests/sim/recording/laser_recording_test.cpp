@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/recording/ros/laser_recording.h"
-
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,8 @@
 #include <vector>
 
 #include <gmock/gmock.h>
+
+#include "sim/recording/ros/laser_recording.h"
 
 namespace scipd::tests {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "sim/recording/values/directions.h"
+#include "sim/recording/values/recorded_scan.h"
 #include "tools/analysis/beam_statistics.h"
 
 namespace scipd::tools::comparing {
