@@ -9,15 +9,16 @@
 
 namespace scipd::tools {
 
-/// As in 2026-01-31 12:00:00, where the user is.
+/// As in 2026-01-31 12:00:00, where the user is, or in another format of strftime().
 [[nodiscard]] inline std::string local_time(
-    std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds> time) {
+    std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds> time,
+    const char* format = "%F %T") {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
     const std::time_t unix_s = seconds.time_since_epoch().count();
     std::tm local{};
     localtime_r(&unix_s, &local);
     std::array<char, 40> text{};
-    std::strftime(text.data(), text.size(), "%F %T", &local);
+    std::strftime(text.data(), text.size(), format, &local);
     return text.data();
 }
 

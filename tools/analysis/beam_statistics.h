@@ -55,6 +55,24 @@ struct BeamStatistics {
 [[nodiscard]] double mixed_share(const ScanTable& series, std::span<const BeamStatistics> beams,
                                  ScanSpan scans);
 
+/// Sums over pairs of beams, so that those of several scans can be added up.
+struct SharedNoise {
+    double products = 0;  ///< of the deviations of both beams
+    double squares = 0;   ///< of those of one
+    double next_squares = 0;
+
+    SharedNoise& operator+=(const SharedNoise& other);
+    /// NaN where there was no noise.
+    [[nodiscard]] double correlation() const;
+};
+
+/// What pairs of beams share that are `apart` steps from each other. Both must be steady and look
+/// at no edge. `beams` are the means about which they deviate.
+[[nodiscard]] SharedNoise shared_noise(const ScanTable& series,
+                                       std::span<const BeamStatistics> beams,
+                                       const std::vector<bool>& beside_edges, ScanSpan scans,
+                                       std::size_t apart = 1);
+
 /// Share of each class of codes among all readings of some beams. Distances are not listed.
 using CodeShares = std::map<Code, double>;
 [[nodiscard]] CodeShares code_shares(const ScanTable& series, std::span<const std::size_t> beams,

@@ -109,11 +109,13 @@ void ScanTable::append(const sim::RecordedScan& scan, bool stamped) {
         directions = scan.directions;
     }
     has_codes = has_codes || scan.unit == sim::RangeUnit::millimetres;
+    const bool lit = !intensities.empty() || !scan.intensities.empty();
+    if (lit) intensities.resize(ranges_mm.size(), no_number);
     for (std::size_t beam = 0; beam < beams; ++beam) {
         const Reading reading = reading_at(scan, beam, echo, identity);
         ranges_mm.push_back(reading.range_mm);
-        intensities.push_back(reading.intensity);
         codes.push_back(reading.code);
+        if (lit) intensities.push_back(reading.intensity);
         has_codes = has_codes || reading.code >= 0;
     }
     add_time(scan, stamped);
@@ -146,6 +148,7 @@ bool ScanTable::last_came_twice() const {
         return false;
     }
     const auto repeats = [&](const auto& column) {
+        if (column.empty()) return true;
         const auto now = column.end() - static_cast<std::ptrdiff_t>(beams);
         return std::equal(now, column.end(), now - static_cast<std::ptrdiff_t>(beams),
                           [](auto a, auto b) { return a == b || (a != a && b != b); });
@@ -155,7 +158,7 @@ bool ScanTable::last_came_twice() const {
 
 void ScanTable::resize(std::size_t scans) {
     ranges_mm.resize(scans * beams);
-    intensities.resize(scans * beams);
+    if (!intensities.empty()) intensities.resize(scans * beams);
     codes.resize(scans * beams);
     times.resize(scans);
 }
@@ -182,7 +185,7 @@ void ScanTable::limit(double nearest_mm, double farthest_mm) {
         const Code beyond = mm < nearest ? codes::too_near : codes::too_far;
         codes[i] = has_codes ? static_cast<Code>(std::lround(mm)) : beyond;
         ranges_mm[i] = no_number;
-        intensities[i] = no_number;
+        if (!intensities.empty()) intensities[i] = no_number;
     }
 }
 

@@ -87,7 +87,7 @@ struct ScanTable {
         return ranges_mm[scan * beams + beam];
     }
     [[nodiscard]] float intensity(std::size_t scan, std::size_t beam) const {
-        return intensities[scan * beams + beam];
+        return intensities.empty() ? no_number : intensities[scan * beams + beam];
     }
     [[nodiscard]] Code code(std::size_t scan, std::size_t beam) const {
         return codes[scan * beams + beam];
@@ -122,9 +122,9 @@ struct ScanTable {
     std::vector<std::size_t> begins = {0};  ///< where each recording begins, in scans; and the end
     std::vector<ScanTime> times;
     // Scan after scan, as many each:
-    std::vector<float> ranges_mm;    ///< NaN: no distance
-    std::vector<float> intensities;  ///< NaN: no distance, or not recorded
+    std::vector<float> ranges_mm;  ///< NaN: no distance
     std::vector<Code> codes;
+    std::vector<float> intensities;  ///< NaN: no distance, or not recorded; or empty
 
   private:
     [[nodiscard]] bool last_came_twice() const;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <numbers>
@@ -10,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/analysis/scan_table.h"
+#include "tools/formatted.h"
 #include "tools/options.h"
-#include "tools/scipcat/recording_info.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scipcat_commands.h"
 
@@ -28,33 +27,27 @@ struct InfoOptions {
     bool json = false;
 };
 
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[160];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
-
 void line(const char* key, const std::string& value) {
-    if (!value.empty()) std::cout << format("  %-10s", key) << value << '\n';
+    if (!value.empty()) std::cout << formatted("  %-10s", key) << value << '\n';
 }
 
 std::string angles(const Parameters& parameters) {
     constexpr double degrees = 180.0 / std::numbers::pi;
-    return format("%.2f to %.2f degrees, every %.4g (steps %d to %d, %d looks forward)",
-                  parameters.angle_rad(parameters.amin) * degrees,
-                  parameters.angle_rad(parameters.amax) * degrees, 360.0 / parameters.ares,
-                  parameters.amin, parameters.amax, parameters.afrt);
+    return formatted("%.2f to %.2f degrees, every %.4g (steps %d to %d, %d looks forward)",
+                     parameters.angle_rad(parameters.amin) * degrees,
+                     parameters.angle_rad(parameters.amax) * degrees, 360.0 / parameters.ares,
+                     parameters.amin, parameters.amax, parameters.afrt);
 }
 
 std::string turns(const Parameters& parameters) {
     if (parameters.scan_rpm == 0) return "0 rpm";
-    return format("%d rpm, a turn in %.4g ms", parameters.scan_rpm, 60000.0 / parameters.scan_rpm);
+    return formatted("%d rpm, a turn in %.4g ms", parameters.scan_rpm,
+                     60000.0 / parameters.scan_rpm);
 }
 
 std::string clock(const SensorState& state) {
     if (!state.time_ms) return state.time;
-    return format("%.3f s", *state.time_ms / 1000.0);
+    return formatted("%.3f s", *state.time_ms / 1000.0);
 }
 
 void print(const ConnectedScanner& scanner, const SensorState& state) {
@@ -66,7 +59,7 @@ void print(const ConnectedScanner& scanner, const SensorState& state) {
     line("serial", version.serial);
     line("firmware", version.firmware);
     line("protocol", version.protocol);
-    line("range", format("%.3f to %.3f m", parameters.dmin_mm / 1e3, parameters.dmax_mm / 1e3));
+    line("range", formatted("%.3f to %.3f m", parameters.dmin_mm / 1e3, parameters.dmax_mm / 1e3));
     line("angles", angles(parameters));
     line("motor", turns(parameters));
     line("speed", state.motor_speed);

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "protocol/client/driver.h"
-#include "tools/analysis/clock_reading.h"
+#include "tools/analysis/stamp_statistics.h"
 
 namespace scipd::tools {
 

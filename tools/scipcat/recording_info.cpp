@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/recording_info.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -17,9 +14,11 @@
 
 #include "daemon/models/best_fit.h"
 #include "tools/analysis/beam_statistics.h"
+#include "tools/formatted.h"
 #include "tools/local_time.h"
 #include "tools/options.h"
 #include "tools/scipcat/compare/comparison_words.h"
+#include "tools/scipcat/scipcat_commands.h"
 
 namespace scipd::tools {
 namespace {
@@ -172,13 +171,6 @@ RecordingSummary summary_of(sim::Recording& recording) {
     for (std::size_t i = 0; i < readers.size(); ++i)
         summary.streams.push_back(std::move(readers[i]).finish(recording.streams()[i]));
     return summary;
-}
-
-template <typename... Values>
-std::string formatted(const char* pattern, Values... values) {
-    char text[160];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
 }
 
 void show_line(const char* key, const std::string& value) {

@@ -12,6 +12,10 @@ void add_info_command(CLI::App& program);
 /// `scipcat record TARGET -o FILE.mcap|FILE.ubh|FILE.csv|FILE.jsonl`: writes scans to a file.
 void add_record_command(CLI::App& program);
 
+/// `scipcat info RECORDING`: prints what it holds, for people or as JSON. Throws WrongInput if it
+/// cannot be read.
+void show_recording(const std::string& target, bool json);
+
 /// `scipcat plot TARGET [-o FILE.png|FILE.svg]`: draws one scan from above.
 void add_plot_command(CLI::App& program);
 

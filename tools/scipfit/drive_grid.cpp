@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "tools/formatted.h"
 #include "tools/options.h"
-#include "tools/scipfit/formatted.h"
 
 namespace scipd::tools {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/formatted.h"
 #include "tools/options.h"
 #include "tools/scipfit/drive_grid.h"
 #include "tools/scipfit/drive_places.h"
-#include "tools/scipfit/formatted.h"
 
 namespace scipd::tools {
 namespace {

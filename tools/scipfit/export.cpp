@@ -9,7 +9,7 @@
 #include <ostream>
 #include <string>
 
-#include "tools/scipfit/formatted.h"
+#include "tools/formatted.h"
 #include "tools/scipfit/smoothing_fit.h"
 
 namespace scipd::tools {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/faces.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+
+#include "tools/scipfit/standing.h"
 
 namespace scipd::tools {
 namespace {

@@ -15,13 +15,9 @@
 #include "sim/text/quote.h"
 #include "tools/options.h"
 #include "tools/output_file.h"
-#include "tools/scipfit/fit_json.h"
-#include "tools/scipfit/fit_text.h"
+#include "tools/scipfit/fit_report.h"
 #include "tools/scipfit/known_length.h"
-#include "tools/scipfit/profile_yaml.h"
-#include "tools/scipfit/report_html.h"
 #include "tools/scipfit/room_report.h"
-#include "tools/scipfit/room_sdf.h"
 #include "tools/scipfit/scipfit_commands.h"
 
 namespace scipd::tools {

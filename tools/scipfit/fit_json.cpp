@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/fit_json.h"
-
 #include <cmath>
 #include <string>
+
+#include "tools/scipfit/fit_report.h"
 
 namespace scipd::tools {
 namespace {

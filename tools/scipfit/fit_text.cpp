@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/fit_text.h"
-
 #include <algorithm>
 #include <ostream>
 #include <string>
 
 #include "sim/text/quote.h"
-#include "tools/scipfit/formatted.h"
+#include "tools/formatted.h"
+#include "tools/scipfit/fit_report.h"
 
 namespace scipd::tools {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
+#include "tools/formatted.h"
 #include "tools/options.h"
-#include "tools/scipfit/formatted.h"
 
 namespace scipd::tools {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/profile_yaml.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,7 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/text/quote.h"
-#include "tools/scipfit/formatted.h"
+#include "tools/formatted.h"
+#include "tools/scipfit/fit_report.h"
 
 namespace scipd::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "tools/scipfit/formatted.h"
+#include "tools/formatted.h"
 #include "tools/scipfit/smoothing_fit.h"
 #include "tools/scipfit/svg_chart.h"
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/report_html.h"
-
 #include <sstream>
 #include <string_view>
 
+#include "tools/formatted.h"
 #include "tools/html_page.h"
 #include "tools/markup.h"
-#include "tools/scipfit/fit_text.h"
-#include "tools/scipfit/formatted.h"
+#include "tools/scipfit/fit_report.h"
 #include "tools/scipfit/report_charts.h"
 #include "tools/scipfit/room_report.h"
 

@@ -10,14 +10,13 @@
 
 #include "sim/export/map_values.h"
 #include "sim/export/ros_map_files.h"
+#include "tools/formatted.h"
 #include "tools/options.h"
 #include "tools/output_file.h"
 #include "tools/scipfit/drive.h"
 #include "tools/scipfit/drive_map.h"
 #include "tools/scipfit/fit.h"
-#include "tools/scipfit/formatted.h"
 #include "tools/scipfit/room_report.h"
-#include "tools/scipfit/room_sdf.h"
 #include "tools/scipfit/scipfit_commands.h"
 
 namespace scipd::tools {

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 #include "tools/scipfit/room_report.h"
 
-#include "tools/scipfit/formatted.h"
+#include "tools/formatted.h"
 
 namespace scipd::tools {
 

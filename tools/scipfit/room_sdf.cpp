@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/room_sdf.h"
-
 #include <cmath>
 #include <ostream>
 
 #include "sim/text/quote.h"
-#include "tools/scipfit/formatted.h"
+#include "tools/formatted.h"
+#include "tools/scipfit/room_report.h"
 
 namespace scipd::tools {
 namespace {

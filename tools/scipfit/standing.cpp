@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "tools/scipfit/faces.h"
-
 namespace scipd::tools {
 namespace {
 

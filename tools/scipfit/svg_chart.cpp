@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "tools/formatted.h"
 #include "tools/html_page.h"
 #include "tools/markup.h"
-#include "tools/scipfit/formatted.h"
 
 namespace scipd::tools {
 namespace {

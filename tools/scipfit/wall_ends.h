@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/analysis/scan_table.h"
-#include "tools/scipfit/beam.h"
+#include "tools/scipfit/standing.h"
 #include "tools/scipfit/wall.h"
 
 namespace scipd::tools {

@@ -177,5 +177,45 @@ TEST(BestFit, TellsWhatIsUnlike) {
               "1081 steps instead of 360, 40 Hz instead of 5 Hz, one row instead of 4");
 }
 
+TEST(RecordedModel, IsNoProductWhereNoneHasItsFanStepsAndRange) {
+    EXPECT_EQ(missing_in_best_fit(hokuyo()), "");
+    EXPECT_EQ(recorded_model(hokuyo()).profile.name, "UST-10LX");
+    sim::Lidar around = hokuyo();
+    around.samples = 720;
+    around.min_angle_rad = 0.0;
+    around.max_angle_rad = 719 * 2 * std::numbers::pi / 720;
+    EXPECT_EQ(missing_in_best_fit(around), "-135 to 135 deg instead of 0 to 359.5 deg");
+    EXPECT_EQ(recorded_model(around).profile.name, "recorded");
+    sim::Lidar coarse = hokuyo();
+    coarse.samples = 676;
+    EXPECT_EQ(missing_in_best_fit(coarse), "steps of 0.25 deg instead of 0.4 deg");
+    // Every second step of the product.
+    coarse.samples = 541;
+    EXPECT_EQ(missing_in_best_fit(coarse), "");
+}
+
+TEST(RecordedModel, IsTheProductThatTheRecordingNames) {
+    const auto named = [](const std::string& text, const std::string& firmware = {}) {
+        const Model* const model = model_named_in(text, firmware);
+        return model == nullptr ? "" : model->profile.name;
+    };
+    EXPECT_EQ(named("SOKUIKI Sensor TOP-URG UTM-30LX(Hokuyo Automatic Co.,Ltd.)"), "UTM-30LX");
+    EXPECT_EQ(named("UTM-30LX-EW"), "UTM-30LX-EW");
+    EXPECT_EQ(named("LMS100"), "");
+    EXPECT_EQ(named(""), "");
+    // Some products and firmwares have one and the same model in their answers.
+    for (const Model& model : models())
+        EXPECT_EQ(named(model.profile.model, model.profile.firmware), model.profile.name);
+}
+
+TEST(RecordedModel, HasTheFanOfTheRecording) {
+    const sim::Lidar lidar = recorded_lidar({.first_rad = 1.0, .increment_rad = -0.5}, 3,
+                                            {.min_range_m = 0.1, .max_range_m = 4.0}, 10.0);
+    EXPECT_EQ(lidar.samples, 3);
+    EXPECT_DOUBLE_EQ(lidar.min_angle_rad, 0.0);
+    EXPECT_DOUBLE_EQ(lidar.max_angle_rad, 1.0);
+    EXPECT_DOUBLE_EQ(lidar.max_range_m, 4.0);
+}
+
 }  // namespace
 }  // namespace scipd::daemon

@@ -14,8 +14,6 @@
 
 #include "tools/analysis/beam_statistics.h"
 #include "tools/analysis/blocks.h"
-#include "tools/analysis/clock_reading.h"
-#include "tools/analysis/shared_noise.h"
 #include "tools/analysis/stamp_statistics.h"
 
 namespace scipd::tools {

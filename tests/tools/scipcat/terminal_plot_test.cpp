@@ -61,6 +61,20 @@ int characters(const std::string& line) {
         line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+TEST(TopView, HasNoPointOfACodeInMetres) {
+    sim::RecordedScan scan{.ranges = {1.0, 0.006, 0.0, 65.533, std::nan(""), INFINITY, 2.0}};
+    scan.directions = {.first_rad = 0.0, .increment_rad = 0.1};
+    scan.unit = sim::RangeUnit::metres;
+    for (const sim::ScannerIdentity& identity :
+         {sim::ScannerIdentity{}, sim::ScannerIdentity{.min_range_m = 0.02, .max_range_m = 30.0}}) {
+        const TopView view = make_top_view(scan, identity);
+        ASSERT_EQ(view.points.size(), 2U);
+        EXPECT_EQ(view.points[0].range_m, 1.0);
+        EXPECT_EQ(view.points[1].range_m, 2.0);
+        EXPECT_FALSE(view.points[1].adjacent);
+    }
+}
+
 struct Seen {
     int rows;
     std::string all;

@@ -100,6 +100,22 @@ TEST_F(TwinComparisonTest, TellsOfCodes) {
                 HasSubstr(R"("from":700,"to":719,"what":"codes","a":65533.0)"));
 }
 
+TEST_F(TwinComparisonTest, TakesAllCodesForNoDistanceAsOne) {
+    std::size_t differences = 0;
+    for (const double code : {65533.0, 6.0}) {
+        for (std::size_t i = 0; i < 2 * TwinComparison::scans_together; ++i) {
+            sim::RecordedScan mine = scan();
+            sim::RecordedScan twins = scan();
+            for (std::size_t step = 700; step < 720; ++step) {
+                mine.ranges[step] = code;
+                twins.ranges[step] = step < 710 ? 0.0 : 1.0;
+            }
+            differences += comparison_.add(mine, twins, identity).size();
+        }
+        EXPECT_EQ(differences, code == 6.0 ? 1U : 0U);
+    }
+}
+
 TEST_F(TwinComparisonTest, TellsAnewWhatMoves) {
     const auto at = [](std::size_t first, double by_mm) {
         return [=](sim::RecordedScan& scan) {

@@ -18,8 +18,7 @@
 #include "tests/tools/scipfit/synthetic_scanner.h"
 #include "tools/options.h"
 #include "tools/scipfit/fit.h"
-#include "tools/scipfit/fit_json.h"
-#include "tools/scipfit/profile_yaml.h"
+#include "tools/scipfit/fit_report.h"
 
 namespace scipd::tests {
 namespace {

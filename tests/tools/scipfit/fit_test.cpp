@@ -15,8 +15,7 @@
 #include "daemon/models/model_registry.h"
 #include "tests/tools/scipfit/synthetic_scanner.h"
 #include "tools/options.h"
-#include "tools/scipfit/fit_json.h"
-#include "tools/scipfit/fit_text.h"
+#include "tools/scipfit/fit_report.h"
 #include "tools/scipfit/known_length.h"
 
 namespace scipd::tests {

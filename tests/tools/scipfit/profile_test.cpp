@@ -10,7 +10,7 @@
 #include "daemon/models/model_registry.h"
 #include "tests/support/child.h"
 #include "tests/tools/scipfit/synthetic_scanner.h"
-#include "tools/scipfit/profile_yaml.h"
+#include "tools/scipfit/fit_report.h"
 
 namespace scipd::tests {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "daemon/models/model_registry.h"
 #include "tests/tools/scipfit/synthetic_scanner.h"
-#include "tools/scipfit/report_html.h"
+#include "tools/scipfit/fit_report.h"
 #include "tools/scipfit/report_view.h"
 
 namespace scipd::tests {

@@ -11,7 +11,7 @@
 
 #include "daemon/models/model_registry.h"
 #include "tests/tools/scipfit/synthetic_scanner.h"
-#include "tools/scipfit/room_sdf.h"
+#include "tools/scipfit/room_report.h"
 
 namespace scipd::tests {
 namespace {

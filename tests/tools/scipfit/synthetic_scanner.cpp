@@ -107,7 +107,7 @@ tools::ScanTable only(tools::ScanTable readings, std::size_t first, std::size_t 
         const std::size_t step = i % readings.beams;
         if (step >= first && step <= last) continue;
         readings.ranges_mm[i] = tools::no_number;
-        readings.intensities[i] = tools::no_number;
+        if (!readings.intensities.empty()) readings.intensities[i] = tools::no_number;
         readings.codes[i] = 65533;
     }
     return readings;

@@ -4,22 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include "tools/formatted.h"
 
 namespace scipd::tools::comparing {
 namespace {
 
-template <typename... Values>
-std::string worded(const char* pattern, Values... values) {
-    char text[200];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
-
 std::string steps_text(const Difference& difference) {
-    if (difference.from == difference.to) return worded("step %d", difference.from);
-    return worded("steps %d–%d", difference.from, difference.to);
+    if (difference.from == difference.to) return formatted("step %d", difference.from);
+    return formatted("steps %d–%d", difference.from, difference.to);
 }
 
 /// The size of an effect that lies on one side of 0.
@@ -32,12 +26,12 @@ std::string length_text(double length_mm, const Interval& within_mm) {
     const bool far = std::abs(length_mm) >= 100;
     const double unit = far ? 1e3 : 1;
     const Interval within = without_sign(within_mm);
-    return worded(far ? "%.2f m (%.2f to %.2f)" : "%.1f mm (%.1f to %.1f)",
-                  std::abs(length_mm) / unit, within.low / unit, within.high / unit);
+    return formatted(far ? "%.2f m (%.2f to %.2f)" : "%.1f mm (%.1f to %.1f)",
+                     std::abs(length_mm) / unit, within.low / unit, within.high / unit);
 }
 
 std::string percent_text(double share) {
-    return worded(std::abs(share) < 0.1 ? "%.1f %%" : "%.0f %%", 100 * share);
+    return formatted(std::abs(share) < 0.1 ? "%.1f %%" : "%.0f %%", 100 * share);
 }
 
 std::string code_text(Code code) {
@@ -59,20 +53,20 @@ std::string codes_text(const Difference& difference) {
 std::string spread_text(const Difference& difference) {
     constexpr double least_mm = 0.1;
     if (difference.a < least_mm)
-        return worded(" spread by %.1f mm instead of %.1f mm", difference.b, difference.a);
-    return worded(" spread %.2g times as much: %.1f mm instead of %.1f mm",
-                  difference.b / difference.a, difference.b, difference.a);
+        return formatted(" spread by %.1f mm instead of %.1f mm", difference.b, difference.a);
+    return formatted(" spread %.2g times as much: %.1f mm instead of %.1f mm",
+                     difference.b / difference.a, difference.b, difference.a);
 }
 
 /// " by 12 %: 560 instead of 500"; nothing has no per cent.
 std::string brightness_text(const Difference& difference) {
     const double by = std::abs(difference.difference() / difference.a);
     return (std::isfinite(by) ? " by " + percent_text(by) : "") +
-           worded(": %.0f instead of %.0f", difference.b, difference.a);
+           formatted(": %.0f instead of %.0f", difference.b, difference.a);
 }
 
 std::string known(const char* pattern, const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? worded(pattern, *value) : "";
+    return value && std::isfinite(*value) ? formatted(pattern, *value) : "";
 }
 
 Row row_of(const char* what, const char* pattern, const std::optional<double>& a,
@@ -82,16 +76,16 @@ Row row_of(const char* what, const char* pattern, const std::optional<double>& a
 
 std::string within_text(const char* pattern, double value, const Interval& within) {
     return std::isfinite(value) && std::isfinite(within.low)
-               ? worded(pattern, value, within.low, within.high)
+               ? formatted(pattern, value, within.low, within.high)
                : "";
 }
 
 std::string floor_text(double floor_mm) {
-    return std::isfinite(floor_mm) ? worded("%.2f mm", floor_mm) : "not known";
+    return std::isfinite(floor_mm) ? formatted("%.2f mm", floor_mm) : "not known";
 }
 
 std::string clock_text(const std::optional<ClockRate>& clock) {
-    return clock ? worded("%+.0f ppm (± %.0f)", clock->ppm, clock->uncertainty_ppm) : "";
+    return clock ? formatted("%+.0f ppm (± %.0f)", clock->ppm, clock->uncertainty_ppm) : "";
 }
 
 }  // namespace
@@ -125,14 +119,14 @@ std::string sentence_of(const Difference& difference) {
                    brightness_text(difference);
         case What::neighbours:
             return "neighbouring steps share " + std::string(by < 0 ? "less" : "more") +
-                   worded(" of their noise: a correlation of %.2f instead of %.2f", difference.b,
-                          difference.a);
+                   formatted(" of their noise: a correlation of %.2f instead of %.2f", difference.b,
+                             difference.a);
         case What::rate:
-            return worded("%.3f scans a second instead of %.3f", difference.b, difference.a);
+            return formatted("%.3f scans a second instead of %.3f", difference.b, difference.a);
         case What::clock:
-            return worded("the clock runs %s by %.0f ppm (%.0f to %.0f)",
-                          by < 0 ? "slower" : "faster", std::abs(by),
-                          without_sign(difference.by).low, without_sign(difference.by).high);
+            return formatted("the clock runs %s by %.0f ppm (%.0f to %.0f)",
+                             by < 0 ? "slower" : "faster", std::abs(by),
+                             without_sign(difference.by).low, without_sign(difference.by).high);
     }
     return "";
 }
@@ -157,7 +151,7 @@ std::string place_of(const Comparison& comparison) {
     if (!comparison.motion) return "B is taken to be at A's pose.";
     const auto& motion = *comparison.motion;
     if (motion == PlanarMotion{}) return "B is at A's pose, within the accuracy of the scans.";
-    return worded(
+    return formatted(
         "B is %.1f mm %s and %.1f mm to the %s of A, turned by %+.2f°; this is compensated.",
         std::abs(motion.shift_mm.x), motion.shift_mm.x < 0 ? "behind" : "ahead",
         std::abs(motion.shift_mm.y), motion.shift_mm.y < 0 ? "right" : "left",
@@ -168,9 +162,9 @@ std::string scanner_of(const Side& side) {
     std::string text = side.identity.model.empty() ? "a scanner" : side.identity.model;
     if (!side.identity.serial.empty()) text += "  ·  serial " + side.identity.serial;
     if (!side.identity.firmware.empty()) text += "  ·  firmware " + side.identity.firmware;
-    text += worded("  ·  %zu scans of %zu steps", side.scans, side.steps);
-    if (side.doubles > 0) text += worded("; %zu came twice", side.doubles);
-    if (side.odd_ones > 0) text += worded("; %zu others dropped", side.odd_ones);
+    text += formatted("  ·  %zu scans of %zu steps", side.scans, side.steps);
+    if (side.doubles > 0) text += formatted("; %zu came twice", side.doubles);
+    if (side.odd_ones > 0) text += formatted("; %zu others dropped", side.odd_ones);
     return text;
 }
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "tools/formatted.h"
 #include "tools/html_page.h"
 #include "tools/markup.h"
 
@@ -17,14 +17,7 @@ constexpr double chart_height = 200;
 constexpr double left_rim = 60;
 constexpr double right_rim = 20;
 
-template <typename... Values>
-std::string markup(const char* pattern, Values... values) {
-    char text[300];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
-
-const char* class_of(Mark mark) {
+const char* css_class_of(Mark mark) {
     switch (mark) {
         case Mark::nearer:
             return "nearer";
@@ -66,9 +59,9 @@ std::string dots(const std::vector<SeenPoint>& points, const Ground& ground,
     std::string text;
     for (const SeenPoint& point : points) {
         const Mark mark = marks != nullptr ? (*marks)[point.pair] : Mark::alike;
-        text += markup("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%s\"/>\n",
-                       marks == nullptr ? "a" : class_of(mark), ground.across(point.y_m),
-                       ground.down(point.x_m), mark == Mark::alike ? "1.6" : "3");
+        text += formatted("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%s\"/>\n",
+                          marks == nullptr ? "a" : css_class_of(mark), ground.across(point.y_m),
+                          ground.down(point.x_m), mark == Mark::alike ? "1.6" : "3");
     }
     return text;
 }
@@ -87,21 +80,21 @@ double height_of(double value, double top, double bottom) {
 
 std::string chart_begins(const Comparison& comparison, double top, double bottom) {
     std::string text =
-        markup("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", svg_width, chart_height + 24);
+        formatted("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", svg_width, chart_height + 24);
     for (const double value : round_ticks(bottom, top, 4)) {
         const double y = height_of(value, top, bottom);
-        text += markup("<line class=\"grid\" x1=\"%.0f\" x2=\"%.0f\" y1=\"%.1f\" y2=\"%.1f\"/>",
-                       left_rim, svg_width - right_rim, y, y);
-        text += markup("<text x=\"%.0f\" y=\"%.1f\" class=\"right\">%.4g</text>\n", left_rim - 6,
-                       y + 4, value);
+        text += formatted("<line class=\"grid\" x1=\"%.0f\" x2=\"%.0f\" y1=\"%.1f\" y2=\"%.1f\"/>",
+                          left_rim, svg_width - right_rim, y, y);
+        text += formatted("<text x=\"%.0f\" y=\"%.1f\" class=\"right\">%.4g</text>\n", left_rim - 6,
+                          y + 4, value);
     }
     const auto& steps = comparison.steps;
     const int intervals = std::clamp(steps.back() - steps.front(), 1, 8);
     for (const double step : round_ticks(steps.front(), steps.back(), intervals)) {
         const auto pair = std::ranges::lower_bound(steps, static_cast<int>(step)) - steps.begin();
-        text += markup("<text x=\"%.0f\" y=\"%.0f\" class=\"middle\">%.0f</text>\n",
-                       place_of_step(comparison, static_cast<std::size_t>(pair)), chart_height + 16,
-                       step);
+        text += formatted("<text x=\"%.0f\" y=\"%.0f\" class=\"middle\">%.0f</text>\n",
+                          place_of_step(comparison, static_cast<std::size_t>(pair)),
+                          chart_height + 16, step);
     }
     return text;
 }
@@ -113,11 +106,11 @@ std::string curve_path(const Comparison& comparison, const std::vector<double>& 
     for (std::size_t pair = 0; pair < values.size(); ++pair) {
         const bool known = std::isfinite(values[pair]);
         if (known)
-            path += markup("%c%.1f %.1f", joined ? 'L' : 'M', place_of_step(comparison, pair),
-                           height_of(values[pair], top, 0));
+            path += formatted("%c%.1f %.1f", joined ? 'L' : 'M', place_of_step(comparison, pair),
+                              height_of(values[pair], top, 0));
         joined = known;
     }
-    return markup("<path class=\"%s\" d=\"", name) + path + "\"/>\n";
+    return formatted("<path class=\"%s\" d=\"", name) + path + "\"/>\n";
 }
 
 }  // namespace
@@ -132,16 +125,17 @@ std::string svg_from_above(const Comparison& comparison) {
             ground.include(point);
     }
     const auto marks = marks_of(comparison);
-    std::string text = markup("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", svg_width,
-                              ground.down(ground.min_x) + 20);
+    std::string text = formatted("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", svg_width,
+                                 ground.down(ground.min_x) + 20);
     text += dots(a, ground, nullptr) + dots(b, ground, &marks);
-    text += markup("<path class=\"scanner\" d=\"M%.1f %.1fl7 17l-7 -4l-7 4z\"/>\n",
-                   ground.across(0), ground.down(0) - 9);
+    text += formatted("<path class=\"scanner\" d=\"M%.1f %.1fl7 17l-7 -4l-7 4z\"/>\n",
+                      ground.across(0), ground.down(0) - 9);
     for (const RunLabel& label : labels_of(comparison))
-        text += markup("<text class=\"%s label\" x=\"%.1f\" y=\"%.1f\">", class_of(label.mark),
-                       std::clamp(ground.across(label.at.y_m), 50.0, svg_width - 50),
-                       ground.down(label.at.x_m) - 8) +
-                in_markup(label.text) + "</text>\n";
+        text +=
+            formatted("<text class=\"%s label\" x=\"%.1f\" y=\"%.1f\">", css_class_of(label.mark),
+                      std::clamp(ground.across(label.at.y_m), 50.0, svg_width - 50),
+                      ground.down(label.at.x_m) - 8) +
+            in_markup(label.text) + "</text>\n";
     return text + "</svg>\n";
 }
 
@@ -152,18 +146,18 @@ std::string svg_of_differences(const Comparison& comparison) {
     const auto marks = marks_of(comparison);
     std::string text = chart_begins(comparison, top, -top);
     if (std::isfinite(comparison.floor.mean_mm))
-        text +=
-            markup("<rect class=\"floor\" x=\"%.0f\" width=\"%.0f\" y=\"%.1f\" height=\"%.1f\"/>\n",
-                   left_rim, svg_width - left_rim - right_rim,
-                   height_of(comparison.floor.mean_mm, top, -top),
-                   height_of(-comparison.floor.mean_mm, top, -top) -
-                       height_of(comparison.floor.mean_mm, top, -top));
+        text += formatted(
+            "<rect class=\"floor\" x=\"%.0f\" width=\"%.0f\" y=\"%.1f\" height=\"%.1f\"/>\n",
+            left_rim, svg_width - left_rim - right_rim,
+            height_of(comparison.floor.mean_mm, top, -top),
+            height_of(-comparison.floor.mean_mm, top, -top) -
+                height_of(comparison.floor.mean_mm, top, -top));
     for (std::size_t pair = 0; pair < marks.size(); ++pair) {
         const double value = comparison.mean_differences_mm[pair];
         if (!std::isfinite(value)) continue;
-        text += markup("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%s\"/>\n",
-                       class_of(marks[pair]), place_of_step(comparison, pair),
-                       height_of(value, top, -top), marks[pair] == Mark::alike ? "1.6" : "2.4");
+        text += formatted("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%s\"/>\n",
+                          css_class_of(marks[pair]), place_of_step(comparison, pair),
+                          height_of(value, top, -top), marks[pair] == Mark::alike ? "1.6" : "2.4");
     }
     return text + "</svg>\n";
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/analysis/shared_noise.h"
+#include "tools/analysis/beam_statistics.h"
 
 namespace scipd::tools::comparing {
 namespace {

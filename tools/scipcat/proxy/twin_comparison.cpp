@@ -3,11 +3,16 @@
 #include "tools/scipcat/proxy/twin_comparison.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/analysis/beam_statistics.h"
+#include "tools/formatted.h"
+#include "tools/local_time.h"
 
 namespace scipd::tools {
 namespace {
@@ -36,6 +41,19 @@ Reading typical(const ScanTable& table, std::size_t first, std::size_t beam) {
                 .code = codes::distance};
     const auto by_count = [](const auto& code) { return code.second; };
     return {.code = std::ranges::max_element(codes, {}, by_count)->first};
+}
+
+std::string steps_of(const TwinDifference& difference) {
+    return "steps " + std::to_string(difference.from) + "-" + std::to_string(difference.to);
+}
+
+std::string how(const TwinDifference& difference) {
+    if (difference.codes) {
+        return formatted(" read %.0f, the twin's %.0f", difference.scanner, difference.twin);
+    }
+    const double by_mm = difference.by_mm();
+    return (by_mm < 0 ? " nearer by " : " farther by ") +
+           formatted("%.2f m", std::abs(by_mm) / 1e3);
 }
 
 }  // namespace
@@ -187,6 +205,24 @@ std::vector<TwinChange> TwinComparison::tell(const std::vector<TwinDifference>& 
     }
     told_ = std::move(stay);
     return changes;
+}
+
+std::string sentence_of(const TwinChange& change) {
+    const TwinDifference& difference = change.difference;
+    return steps_of(difference) +
+           (change.begins ? how(difference) : " agree with the twin's again") + ", since scan " +
+           std::to_string(difference.scan) + " at " + local_time(difference.time, "%T");
+}
+
+std::string json_of(const TwinChange& change) {
+    const TwinDifference& difference = change.difference;
+    const std::chrono::duration<double> unix_s = difference.time.time_since_epoch();
+    const nlohmann::ordered_json object{
+        {"differs", change.begins}, {"from", difference.from},
+        {"to", difference.to},      {"what", difference.codes ? "codes" : "mean"},
+        {"a", difference.scanner},  {"b", difference.twin},
+        {"scan", difference.scan},  {"time_s", unix_s.count()}};
+    return object.dump();
 }
 
 }  // namespace scipd::tools

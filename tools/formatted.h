@@ -12,7 +12,7 @@ namespace scipd::tools {
 /// As printf does; what does not fit is cut off.
 template <typename... Values>
 std::string formatted(const char* pattern, Values... values) {
-    char text[200];
+    char text[300];
     std::snprintf(text, sizeof text, pattern, values...);
     return text;
 }
