@@ -37,6 +37,10 @@ bool Acquisition::turn_complete(const Turn& turn) {
     return taken || awaits(turn);
 }
 
+bool Acquisition::has_begun(const Turn& turn) const {
+    return (streaming() && subscription_->has_begun(turn, settled_at())) || awaits(turn);
+}
+
 void Acquisition::stream(Subscription subscription, Uptime now) {
     const DeviceState::StreamId replaced = std::exchange(stream_, device_.open_stream(now));
     device_.close_stream(replaced);

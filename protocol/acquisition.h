@@ -51,6 +51,8 @@ class Acquisition {
     /// Whether somebody wants the scan of this turn, which has just fired its last step. To be told
     /// of each turn while measuring(), in order.
     [[nodiscard]] bool turn_complete(const Turn& turn);
+    /// Returns true if this is a turn, or not before the first turn, that it takes a scan of.
+    [[nodiscard]] bool has_begun(const Turn& turn) const;
 
     // The stream.
 

@@ -54,6 +54,8 @@ class Session final : public Speaker {
     /// A turn has just fired its last step. To be told once for each turn while measuring(), in
     /// order. True: take() must follow.
     [[nodiscard]] bool turn_complete(const Turn& turn) { return acquisition_.turn_complete(turn); }
+    /// Returns false if turns up to this one are too early for all that it measures.
+    [[nodiscard]] bool has_begun(const Turn& turn) const { return acquisition_.has_begun(turn); }
     /// Whether this turn, complete by now, answers the request for a single scan. True: take() must
     /// follow.
     [[nodiscard]] bool waits_for(const Turn& turn) const { return acquisition_.awaits(turn); }

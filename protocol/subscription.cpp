@@ -42,7 +42,7 @@ std::variant<Subscription, Status> Subscription::from(const Request& request, Up
 }
 
 bool Subscription::takes(const Turn& turn, Uptime settled_at) {
-    if (turn.start <= after_ || turn.start < settled_at) return false;
+    if (!has_begun(turn, settled_at)) return false;
     if (turns_to_skip_ > 0) {
         --turns_to_skip_;
         return false;

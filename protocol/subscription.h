@@ -36,6 +36,10 @@ class Subscription {
     /// very next one, 27 ms after its answer. A turn that began before the laser had settled has
     /// no scan.
     [[nodiscard]] bool takes(const Turn& turn, Uptime settled_at);
+    /// Returns true if no turn as late as this one is too early for it.
+    [[nodiscard]] bool has_begun(const Turn& turn, Uptime settled_at) const {
+        return turn.start > after_ && turn.start >= settled_at;
+    }
 
     /// The message with this scan, which counts as one of the scans that were asked for.
     [[nodiscard]] std::string message(const ScanView& scan, const DeviceState& device,

@@ -177,7 +177,7 @@ bool Device::driven() const {
 
 void Device::watch(std::function<void(const ScanRecord&)> watcher, WatchedBy who) {
     watchers_.set(who, std::move(watcher));
-    if (watchers_.any()) begin_replay();
+    resume_replay();
     if (watchers_.any() && on_wanted_) on_wanted_();
 }
 
@@ -220,6 +220,7 @@ bool Device::stands_alone() const {
 
 void Device::turn_complete(std::int64_t revolution) {
     latest_turn_ = revolution;
+    begin_replay(revolution, watchers_.any());
     if (replay_) turn_as_recorded(revolution + 1);
     if (hook_ != nullptr) {
         hook_->turn(revolution);
@@ -248,6 +249,7 @@ void Device::turn_complete(std::int64_t revolution) {
 
 void Device::serve_latest(ServedClient& client) {
     protocol::Session& session = client.session();
+    begin_replay(next_revolution() - 1, false);
     // Once a request is answered, the one behind it may want the latest scan as well.
     for (std::int64_t revolution = next_revolution() - 1;
          revolution >= 0 && shows(revolution) &&
@@ -257,7 +259,7 @@ void Device::serve_latest(ServedClient& client) {
         session.take(measure(revolution).sent.view(), uptime());
     }
     follow_motor();
-    if (session.measuring()) begin_replay();
+    resume_replay();
     if (session.measuring() && on_wanted_) on_wanted_();
     const int bit_rate = protocol::bit_rate_of(state_.settings(), profile_);
     const bool booted = boots_told_ != state_.boots();

@@ -113,8 +113,10 @@ class Device : public ScanSource, public Endpoint, private Lamp {
 
     /// Lets the mirror turn as the state says. To be called after whatever may have changed that.
     void follow_motor();
-    /// Somebody takes scans: a log that waits for its first client begins.
-    void begin_replay();
+    /// A log that waits for its first client begins with the first turn that one takes.
+    void begin_replay(std::int64_t revolution, bool watched);
+    /// From now on the mirror turns as recorded, after a rest in which nobody wanted scans.
+    void resume_replay();
     /// Lets it turn as it did when the scan of this revolution was recorded.
     void turn_as_recorded(std::int64_t revolution);
     [[nodiscard]] ReplayTurn replay_turn(std::int64_t revolution) const;

@@ -23,12 +23,18 @@ void Device::play(Track track, const ReplayConfig& config) {
     turn_as_recorded(0);
 }
 
-// With the first turn that begins from now on, since a client gets no scan of an earlier one.
-void Device::begin_replay() {
-    if (!replay_) return;
-    const std::int64_t turn = std::max<std::int64_t>(timing_.revolution_at(uptime()), 0);
-    replay_->begin(replay_turn(start_of(turn) < uptime() ? turn + 1 : turn).begins);
-    turn_as_recorded(turn);
+// A laser that was switched on just now settles for some turns.
+void Device::begin_replay(std::int64_t revolution, bool watched) {
+    if (!replay_ || replay_->begun() || revolution < 0) return;
+    const protocol::Turn turn{.start = start_of(revolution)};
+    const auto takes = [&](const auto* client) { return client->session().has_begun(turn); };
+    if (!watched && !std::ranges::any_of(clients_, takes)) return;
+    replay_->begin(replay_turn(revolution).begins);
+    turn_as_recorded(revolution);
+}
+
+void Device::resume_replay() {
+    if (replay_) turn_as_recorded(std::max<std::int64_t>(timing_.revolution_at(uptime()), 0));
 }
 
 void Device::turn_as_recorded(std::int64_t revolution) {

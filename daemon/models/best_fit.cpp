@@ -224,7 +224,24 @@ std::string missing_in_best_fit(const sim::Lidar& lidar) {
     return text;
 }
 
-Model recorded_model(const sim::Lidar& lidar) {
+namespace {
+
+/// SCIP numbers steps with four digits: of finer ones every second, third and so on is kept.
+sim::Lidar with_steps_of_scip(sim::Lidar lidar) {
+    constexpr double most_of_a_turn = 9999.0;
+    const double step = std::abs(step_rad(lidar));
+    if (lidar.samples < 2 || !(step > 0.0)) return lidar;
+    const auto factor = static_cast<int>(std::ceil(2.0 * std::numbers::pi / step / most_of_a_turn));
+    if (factor < 2) return lidar;
+    lidar.samples = (lidar.samples - 1) / factor + 1;
+    lidar.max_angle_rad = lidar.min_angle_rad + (lidar.samples - 1) * step * factor;
+    return lidar;
+}
+
+}  // namespace
+
+Model recorded_model(const sim::Lidar& recorded) {
+    const sim::Lidar lidar = with_steps_of_scip(recorded);
     const Model& like = best_fit(lidar);
     if (missing_in_best_fit(lidar).empty()) return like;
     protocol::DeviceProfile profile = like.profile;

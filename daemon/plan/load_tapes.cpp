@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -38,10 +39,33 @@ struct Player {
     SensorConfig* sensor = nullptr;
     std::optional<sim::HostTime> first = std::nullopt;
     std::optional<sim::HostTime> logged = std::nullopt;
+    std::shared_ptr<Tape> tape = nullptr;  ///< until it is part of the track
     Track track = {};
 };
 
 using Log = std::vector<Player>;
+
+struct Silence {
+    sim::Time from{};
+    sim::Time to{};
+};
+
+/// Stretches of more than a minute in which no scanner of a log has a scan, but for their first
+/// second.
+std::vector<Silence> silences(const Log& log) {
+    constexpr auto longest = std::chrono::minutes(1);
+    constexpr auto kept = std::chrono::seconds(1);
+    std::vector<sim::Time> begins;
+    for (const Player& player : log)
+        for (std::size_t i = 0; i < player.tape->size(); ++i)
+            begins.push_back(player.track.lead + player.tape->begin(i));
+    std::ranges::sort(begins);
+    std::vector<Silence> silences;
+    for (std::size_t i = 1; i < begins.size(); ++i)
+        if (begins[i] - begins[i - 1] > longest)
+            silences.push_back({begins[i - 1] + kept, begins[i]});
+    return silences;
+}
 
 /// Distances in time by headers, or by the recorder where headers have several clocks.
 void align(Log& log) {
@@ -147,28 +171,61 @@ class Loader {
     void load(Log& log) {
         align(log);
         std::optional<sim::Time> recorded;
-        sim::Time duration{};
-        for (const Player& player : log) {
-            guard(player, [&](const Player& playing) {
-                const sim::Time lead = playing.track.lead;
-                const SharedTape tape = read(playing, lead);
-                if (const auto first = tape->recorded())
+        for (Player& player : log) {
+            guard(player, [&](const Player&) {
+                const sim::Time lead = player.track.lead;
+                player.tape = read(player, lead);
+                if (const auto first = player.tape->recorded())
                     recorded = std::min(recorded.value_or(*first - lead), *first - lead);
-                duration = std::max(duration, lead + tape->begin(tape->size()));
-                loaded_.tracks[playing.name] = {.tape = tape, .lead = lead};
             });
         }
-        const auto line = std::make_shared<LogLine>(recorded, duration);
+        if (!errors_.empty()) return;
+        cut_silence(log);
+        sim::Time duration{};
         for (const Player& player : log)
-            loaded_.tracks[player.name].line = line;
+            duration =
+                std::max(duration, player.track.lead + player.tape->begin(player.tape->size()));
+        const auto line = std::make_shared<LogLine>(recorded, duration);
+        for (Player& player : log) {
+            player.track.tape = std::move(player.tape);
+            player.track.line = line;
+            loaded_.tracks[player.name] = std::move(player.track);
+        }
+    }
+
+    /// Nobody waits for hours in which no scanner of the log was on, but where stamps of poses tell
+    /// when each scan is due.
+    void cut_silence(Log& log) {
+        const ReplayConfig& replay = *log.front().sensor->replay;
+        const auto stamped = [](const Player& player) {
+            return player.sensor->replay->begins_s.has_value();
+        };
+        if (std::ranges::any_of(log, stamped)) return;
+        sim::Time cut{};
+        const std::vector<Silence> all = silences(log);
+        for (const auto& [from, to] : std::views::reverse(all)) {
+            cut += to - from;
+            for (Player& player : log) {
+                sim::Time& lead = player.track.lead;
+                if (lead < to) player.tape->cut(from - lead, to - lead);
+                if (player.sensor->replay->from >= to) player.track.cut += to - from;
+                if (lead >= to) lead -= to - from;
+            }
+        }
+        if (cut > sim::Time::zero())
+            loaded_.warnings.push_back(
+                replay.name() + ": has no scan for more than a minute, " +
+                std::to_string(all.size()) + " times, in sum for " +
+                std::to_string(std::chrono::round<std::chrono::seconds>(cut).count()) +
+                " s, which are left out");
     }
 
     /// Its warnings are told once a recording.
-    SharedTape read(const Player& player, sim::Time lead) {
+    std::shared_ptr<Tape> read(const Player& player, sim::Time lead) {
         ReplayConfig replay = *player.sensor->replay;
         replay.from = std::max(replay.from - lead, sim::Time::zero());
         std::vector<std::string> warnings;
-        SharedTape tape = read_tape(replay, player.sensor->model, warnings, stop_);
+        auto tape = read_tape(replay, player.sensor->model, warnings, stop_);
         for (std::string& warning : warnings) {
             if (std::ranges::find(loaded_.warnings, warning) == loaded_.warnings.end())
                 loaded_.warnings.push_back(std::move(warning));

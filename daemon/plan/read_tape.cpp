@@ -9,6 +9,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -28,7 +29,7 @@ using sim::RecordedScan;
 using namespace std::chrono_literals;
 
 constexpr std::uint32_t stamp_mask = (1U << 24U) - 1;
-/// A recorder that rested longer has begun anew.
+/// A scanner whose clock goes on by more was switched on anew.
 constexpr sim::Time longest_gap = 60s;
 
 [[noreturn]] void fail(const ReplayConfig& replay, const std::string& why) {
@@ -109,13 +110,18 @@ struct Moment {
     std::optional<std::uint32_t> stamp_ms;
     std::optional<std::uint64_t> stamp_us;
     std::optional<sim::HostTime> host;
+    std::optional<sim::HostTime> logged;
 
-    explicit Moment(const RecordedScan& scan)
-        : stamp_ms(scan.stamp_ms), stamp_us(scan.stamp_us), host(scan.host_time) {}
+    Moment(const RecordedScan& scan, std::optional<sim::HostTime> logged_at)
+        : stamp_ms(scan.stamp_ms),
+          stamp_us(scan.stamp_us),
+          host(scan.host_time),
+          logged(logged_at) {}
 };
 
-/// By the scanner's clock where it has one, else by the recorder's. What lies between them may have
-/// been left out, up to `unread` and less than a gap.
+/// By the scanner's clock where it has one, else by that of the headers. Where that jumps, the
+/// recorder's log time counts. What lies between them may have been left out, up to `unread` and
+/// less than a gap.
 sim::Time between(const Moment& a, const Moment& b, sim::Time period, sim::Time unread = {}) {
     std::optional<sim::Time> apart;
     if (unread > sim::Time::zero() && a.host && b.host) {
@@ -128,8 +134,13 @@ sim::Time between(const Moment& a, const Moment& b, sim::Time period, sim::Time 
     } else if (a.stamp_ms && b.stamp_ms) {
         apart = follows(std::chrono::milliseconds((*b.stamp_ms - *a.stamp_ms) & stamp_mask));
     }
-    if (!apart && a.host && b.host)
-        apart = follows(std::chrono::duration_cast<sim::Time>(*b.host - *a.host));
+    const auto later = [](const auto& from, const auto& to) -> std::optional<sim::Time> {
+        if (!from || !to || *to <= *from) return std::nullopt;
+        return *to - *from;
+    };
+    if (!apart) apart = later(a.host, b.host);
+    const auto logged = later(a.logged, b.logged);
+    if (logged && (!apart || *apart > *logged + 1s)) apart = logged;
     return apart.value_or(period);
 }
 
@@ -264,16 +275,19 @@ class Loss {
         const std::string begin = replay_.name() + ": " + model_.profile.name;
         if (lost_rad_ > 0.0)
             warnings.push_back(begin + " has no steps for " + rounded(lost_rad_ * deg_per_rad) +
-                               " degrees of the scans, which are left out" + way_out);
+                               " degrees of the scans, which are left out" + way_out());
         if (farthest_m_ > model_.optics.max_range_m + 0.001)
             warnings.push_back(begin + " reports up to " + rounded(model_.optics.max_range_m) +
                                " m, and the scans have distances up to " + rounded(farthest_m_) +
-                               " m, which become its code for too far" + way_out);
+                               " m, which become its code for too far" + way_out());
     }
 
   private:
-    static constexpr const char* way_out =
-        "; leave the model out, and the scanner has what the recording has";
+    [[nodiscard]] std::string way_out() const {
+        return replay_.finds_model
+                   ? ""
+                   : "; leave the model out, and the scanner has what the recording has";
+    }
     static std::string rounded(double value) {
         char text[32];
         std::snprintf(text, sizeof text, "%.4g", value);
@@ -294,7 +308,9 @@ double rate_between(const Moment& a, const Moment& b) {
 using Places = std::vector<std::optional<std::size_t>>;
 
 std::optional<std::size_t> within(double place, std::size_t count) {
-    const double nearest = std::round(place);
+    // In a fan with an even number of directions all steps lie between two of them.
+    constexpr double tie = 1e-6;
+    const double nearest = std::floor(place + 0.5 + tie);
     if (nearest < 0.0 || nearest >= static_cast<double>(count)) return std::nullopt;
     return static_cast<std::size_t>(nearest);
 }
@@ -353,7 +369,9 @@ RecordedScanner recorded_scanner(const ReplayConfig& replay) {
              "configuration), one of `scipd --list-models`");
     }
     const RecordedScan* const second = reader.next();
-    const double rate_hz = second == nullptr ? 0.0 : rate_between(Moment(scan), Moment(*second));
+    const double rate_hz = second == nullptr ? 0.0
+                                             : rate_between(Moment(scan, scanner.logged),
+                                                            Moment(*second, reader.logged()));
     scanner.model =
         recorded_model(recorded_lidar(scan.directions, scan.steps(), scanner.identity, rate_hz));
     return scanner;
@@ -362,20 +380,22 @@ RecordedScanner recorded_scanner(const ReplayConfig& replay) {
 std::vector<std::string> recorded_streams(const ReplayConfig& replay, const std::stop_token& stop) {
     const auto recording = open_scans(replay.files);
     if (!recording) throw sim::LoadError({recording.error().why});
+    std::set<std::size_t> streams;
     while (true) {
         if (stop.stop_requested()) throw sim::LoadError({"scipd ends"});
         const auto item = (*recording)->next();
         if (!item) throw sim::LoadError({item.error().why});
         if (!*item) break;
+        if (std::holds_alternative<RecordedScan>((**item).what)) streams.insert((**item).stream);
     }
     std::vector<std::string> names;
-    for (const sim::RecordedStream& stream : (*recording)->streams())
-        if (stream.has_scans) names.push_back(stream.name);
+    for (const std::size_t stream : streams)
+        names.push_back((*recording)->streams()[stream].name);
     return names;
 }
 
-SharedTape read_tape(const ReplayConfig& replay, const Model& model,
-                     std::vector<std::string>& warnings, const std::stop_token& stop) {
+std::shared_ptr<Tape> read_tape(const ReplayConfig& replay, const Model& model,
+                                std::vector<std::string>& warnings, const std::stop_token& stop) {
     ScanReader reader(replay);
     Loss loss(replay, model);
     const bool with_echoes = model.profile.multi_echo;
@@ -390,7 +410,7 @@ SharedTape read_tape(const ReplayConfig& replay, const Model& model,
     Places places;
     while (const RecordedScan* const scan = reader.next()) {
         if (stop.stop_requested()) throw sim::LoadError({"scipd ends"});
-        const Moment now(*scan);
+        const Moment now(*scan, reader.logged());
         if (before) begin += between(*before, now, period, unread);
         if (!before && now.host) tape->set_recorded(now.host->time_since_epoch());
         before = now;

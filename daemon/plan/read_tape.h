@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -40,7 +41,8 @@ class SeveralScanners : public sim::LoadError {
 /// cannot be read, or its model is wanted and not known.
 [[nodiscard]] RecordedScanner recorded_scanner(const ReplayConfig& replay);
 
-/// The names of the scanners of a recording, by which `stream` chooses. Reads all of it. Throws
+/// The names of the scanners of a recording, by which `stream` chooses. Reads all of it,
+/// since topics may be empty. Throws
 /// sim::LoadError, also soon after `stop`.
 [[nodiscard]] std::vector<std::string> recorded_streams(const ReplayConfig& replay,
                                                         const std::stop_token& stop = {});
@@ -49,9 +51,9 @@ class SeveralScanners : public sim::LoadError {
 /// their own on the model's wire are left out; a step that was not recorded has the model's code
 /// for nothing. A warning says what the model has no step or range for. Throws sim::LoadError, also
 /// soon after `stop`.
-[[nodiscard]] SharedTape read_tape(const ReplayConfig& replay, const Model& model,
-                                   std::vector<std::string>& warnings,
-                                   const std::stop_token& stop = {});
+[[nodiscard]] std::shared_ptr<Tape> read_tape(const ReplayConfig& replay, const Model& model,
+                                              std::vector<std::string>& warnings,
+                                              const std::stop_token& stop = {});
 
 /// For each step that the scanner measures, the value of the scan that looks there; nothing: none
 /// does. By SCIP's steps where the recording has them, else by angles, else one by one where there

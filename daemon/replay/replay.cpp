@@ -27,7 +27,7 @@ Replay::Replay(Track track, const ReplayConfig& config)
       file_(config.name()),
       loop_(config.loop),
       speed_(config.speed),
-      from_(config.from) {
+      from_(config.from - track_.cut) {
     if (!config.begins_s) return;
     const auto* const stamp = std::get_if<std::chrono::nanoseconds>(&*config.begins_s);
     due_ = stamp != nullptr ? *stamp : track_.line->recorded().value();
@@ -36,7 +36,7 @@ Replay::Replay(Track track, const ReplayConfig& config)
 std::optional<sim::Time> Replay::log_time(const ReplayTurn& turn) const {
     constexpr Scaled farthest = std::chrono::hours(24 * 365 * 100);
     const auto begun = due_ ? due_ : begun_ ? begun_ : track_.line->begun();
-    if (!begun) return std::nullopt;
+    if (!begun || (!due_ && turn.begins < *begun)) return std::nullopt;
     // In floating point, since the difference of two stamps may not fit into a Time.
     const Scaled scaled = (Scaled(due_ ? turn.stamp : turn.begins) - Scaled(*begun)) * speed_;
     const auto since = std::chrono::round<sim::Time>(std::clamp(scaled, -farthest, farthest));

@@ -51,6 +51,7 @@ class LogLine {
 struct Track {
     SharedTape tape;   ///< null: there is none
     sim::Time lead{};  ///< from the beginning of the log to its first scan
+    sim::Time cut{};   ///< silence before the configured position that is not played
     std::shared_ptr<LogLine> line;
 };
 
@@ -91,6 +92,7 @@ class Replay {
     };
     /// Begins the log for all that play it, unless it has begun.
     void begin(sim::Time time) { track_.line->begin(time); }
+    [[nodiscard]] bool begun() const { return due_ || begun_ || track_.line->begun(); }
     /// Returns nullopt if it waits, is paused or over, or no scan begins with this turn.
     [[nodiscard]] std::optional<Shown> at(const ReplayTurn& turn) const;
     /// The duration of this turn.

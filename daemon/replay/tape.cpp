@@ -59,6 +59,11 @@ std::size_t Tape::bytes_of_scan() const {
     return steps_ * (2 * sizeof(std::uint32_t) + (has_echoes_ ? sizeof(protocol::StepEchoes) : 0));
 }
 
+void Tape::cut(sim::Time from, sim::Time to) {
+    for (sim::Time& begin : begins_)
+        if (begin >= to) begin -= to - from;
+}
+
 TapedScan Tape::scan(std::size_t index) const {
     TapedScan scan;
     auto at = static_cast<off_t>(index * bytes_of_scan());

@@ -34,6 +34,8 @@ class Tape {
     void add(const TapedScan& scan, std::uint32_t stamp_ms, sim::Time begin);
     /// When the first scan was recorded, since 1970.
     void set_recorded(std::optional<sim::Time> recorded) { recorded_ = recorded; }
+    /// Scans from `to` on come as much earlier as `from` is before that. None is between them.
+    void cut(sim::Time from, sim::Time to);
     /// No scan follows. The last one takes as long as this.
     void end(sim::Time last);
 

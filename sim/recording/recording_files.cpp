@@ -98,8 +98,10 @@ Expected<std::vector<RecordingFile>> files_in(const fs::path& folder) {
 
 Expected<std::vector<RecordingFile>> files_of(std::span<const fs::path> paths) {
     std::vector<RecordingFile> files;
+    std::set<fs::path> named;
     for (const fs::path& path : paths) {
         std::error_code ignored;
+        if (!named.insert(fs::weakly_canonical(path, ignored)).second) continue;
         if (!fs::is_directory(path, ignored)) {
             files.push_back({path, true, {}});
             continue;

@@ -213,6 +213,9 @@ Expected<std::unique_ptr<Recording>> open_bag(InputFile file) {
     if (!beginning) return tl::unexpected(beginning.error());
     if (*beginning != bag_magic) {
         const std::string_view line = std::string_view(*beginning).substr(0, beginning->find('\n'));
+        if (!line.starts_with("#ROSRECORD") && !line.starts_with("#ROSBAG V1"))
+            return file.refuse("begins as a bag of ROS of an unknown format (" + printable(line) +
+                               "); formats 1 and 2.0 are known");
         return file.refuse("is a bag of ROS of the old format 1 (" + printable(line) +
                            "); convert it to 2.0: rosbag migrate FILE NEW.bag");
     }

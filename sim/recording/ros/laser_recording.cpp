@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "sim/recording/file/byte_reader.h"
@@ -88,6 +89,14 @@ void read_echoes(Fields& fields, RecordedScan& scan) {
         (void)fields.reals(scan.intensities);
 }
 
+/// Left out where a message cannot mean them.
+void put_directions(double first_rad, double increment_rad, RecordedScan& scan) {
+    constexpr double widest_rad = 3.2;
+    const double size_rad = std::abs(increment_rad);
+    const bool is_sane = std::isfinite(first_rad) && size_rad > 0.0 && size_rad < widest_rad;
+    if (is_sane) scan.directions = {.first_rad = first_rad, .increment_rad = increment_rad};
+}
+
 }  // namespace
 
 std::optional<LaserType> laser_type(std::string_view type_name) {
@@ -105,9 +114,9 @@ Expected<LaserMessage> parse_laser(std::string_view bytes, LaserType type, RosEn
     RecordedScan& scan = message.scan;
     scan.unit = RangeUnit::metres;
     scan.host_time = read_header(fields);
-    scan.directions.first_rad = fields.real();
+    const double first_rad = fields.real();
     (void)fields.real();  // the last angle
-    scan.directions.increment_rad = fields.real();
+    const double increment_rad = fields.real();
     (void)fields.real();  // the time between two steps, and between two scans
     (void)fields.real();
     message.min_range_m = fields.real();
@@ -118,8 +127,8 @@ Expected<LaserMessage> parse_laser(std::string_view bytes, LaserType type, RosEn
         read_echoes(fields, scan);
     if (fields.too_short()) return refuse("the message ends before its last field");
     if (!scan.intensities.empty() && scan.intensities.size() != scan.ranges.size())
-        return refuse("the message has " + std::to_string(scan.intensities.size()) +
-                      " intensities for " + std::to_string(scan.ranges.size()) + " ranges");
+        message.lost_intensities = std::exchange(scan.intensities, {}).size();
+    put_directions(first_rad, increment_rad, scan);
     return message;
 }
 
@@ -139,10 +148,16 @@ Expected<RecordedItem> LaserRecording::laser_item(std::uint32_t id, HostTime log
     auto message = parse_laser(bytes, topic.type, topic.encoding);
     if (!message) return refuse(quote(topic.name) + ": " + message.error().why);
     ScannerIdentity& identity = stream(topic.stream).identity;
-    if (!identity.max_range_m && std::isfinite(message->max_range_m)) {
+    if (!identity.max_range_m && std::isfinite(message->max_range_m) &&
+        message->max_range_m > message->min_range_m) {
         identity.min_range_m = message->min_range_m;
         identity.max_range_m = message->max_range_m;
     }
+    if (message->lost_intensities > 0 && !std::exchange(topic.lost_intensities, true))
+        warn(file_.name() + ": " + quote(topic.name) + " has scans with " +
+             std::to_string(message->lost_intensities) + " intensities for " +
+             std::to_string(message->scan.ranges.size()) +
+             " ranges; such intensities are left out");
     // Within these, sums and differences of two times fit.
     constexpr HostTime latest{std::chrono::nanoseconds(std::int64_t{1} << 62)};
     const HostTime sane = std::clamp(logged, HostTime{}, latest);

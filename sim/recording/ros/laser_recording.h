@@ -31,6 +31,7 @@ struct LaserMessage {
     RecordedScan scan;  ///< in metres; its host time is the stamp of the header, if that is not 0
     double min_range_m = 0;
     double max_range_m = 0;
+    std::size_t lost_intensities = 0;  ///< not as many as ranges, and therefore left out
 };
 
 [[nodiscard]] Expected<LaserMessage> parse_laser(std::string_view bytes, LaserType type,
@@ -70,6 +71,7 @@ class LaserRecording : public Recording {
         std::size_t stream;
         LaserType type;
         RosEncoding encoding;
+        bool lost_intensities = false;
         std::chrono::nanoseconds stamp_after_log{};  ///< of the last message with a stamp
     };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+#include "sim/recording/ros/laser_recording.h"
+
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -7,8 +9,6 @@
 #include <vector>
 
 #include <gmock/gmock.h>
-
-#include "sim/recording/ros/laser_recording.h"
 
 namespace scipd::tests {
 namespace {
