@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "sim/recording/mcap/mcap_writer.h"
-#include "sim/recording/values/recording_writer.h"
+#include "sim/recording/values/recording.h"
 #include "sim/recording/values/scanner_identity.h"
 
 namespace scipd::sim {

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "sim/expected.h"
-#include "sim/recording/file/input_file.h"
+#include "sim/recording/file/recording_file.h"
 #include "sim/recording/values/recording.h"
 
 namespace scipd::sim {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "daemon/recording/wire_decoder.h"
-#include "sim/recording/values/recording_writer.h"
+#include "sim/recording/values/recording.h"
 
 namespace scipd::tools {
 

@@ -13,10 +13,9 @@
 #include <memory>
 #include <string_view>
 
-#include "sim/recording/file/input_file.h"
+#include "sim/recording/file/recording_file.h"
 #include "sim/recording/mcap/mcap_writer.h"
 #include "sim/recording/values/recording.h"
-#include "sim/recording/values/recording_writer.h"
 
 namespace scipd::sim {
 namespace mcap {

@@ -19,7 +19,7 @@
 
 #include <boost/crc.hpp>
 
-#include "sim/recording/file/growing_file.h"
+#include "sim/recording/file/recording_file.h"
 #include "sim/recording/mcap/mcap_format.h"
 
 namespace scipd::sim::mcap {

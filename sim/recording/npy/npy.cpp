@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "sim/recording/file/byte_reader.h"
-#include "sim/recording/values/range_unit.h"
+#include "sim/recording/values/recorded_scan.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 

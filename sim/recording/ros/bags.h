@@ -8,7 +8,7 @@
 
 #include <memory>
 
-#include "sim/recording/file/input_file.h"
+#include "sim/recording/file/recording_file.h"
 #include "sim/recording/values/recording.h"
 
 namespace scipd::sim {

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/recording/file/input_file.h"
+#include "sim/recording/file/recording_file.h"
 #include "sim/recording/values/recording.h"
 
 namespace scipd::sim {

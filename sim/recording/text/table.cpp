@@ -13,7 +13,7 @@
 #include "sim/recording/text/table_row.h"
 #include "sim/recording/text/text_formats.h"
 #include "sim/recording/text/text_recording.h"
-#include "sim/recording/values/range_unit.h"
+#include "sim/recording/values/recorded_scan.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 

@@ -10,9 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "sim/recording/file/input_file.h"
+#include "sim/recording/file/recording_file.h"
 #include "sim/recording/values/recording.h"
-#include "sim/recording/values/recording_writer.h"
 
 namespace scipd::sim {
 

@@ -13,10 +13,8 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/recording/file/growing_file.h"
-#include "sim/recording/file/input_file.h"
+#include "sim/recording/file/recording_file.h"
 #include "sim/recording/values/recording.h"
-#include "sim/recording/values/recording_writer.h"
 
 namespace scipd::sim {
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -49,6 +50,31 @@ void learn_turn(const Directions& directions, ScannerIdentity& identity);
 enum class RangeUnit {
     millimetres,  ///< whole ones and codes for "no distance", as a scanner sends them
     metres,       ///< NaN and infinities stand for "no distance"
+};
+
+/// Unit of ranges whose file does not tell it: a guess by all that are shown to it.
+class LikelyUnit {
+  public:
+    /// `point`: it is written with one, or as what holds fractions.
+    void show(double range, bool point) {
+        // Codes of SCIP stand for no distance, and 0 for none at all.
+        constexpr double codes = 20;
+        constexpr double farthest_m = 100;
+        if (!std::isfinite(range)) return;
+        points_ = points_ || point;
+        if (range < codes && range == std::floor(range)) return;
+        ++(range > farthest_m ? beyond_ : within_);
+    }
+
+    /// Millimetres if none has a point, or if most, taken as metres, are farther than scanners see.
+    [[nodiscard]] RangeUnit unit() const {
+        return !points_ || beyond_ > within_ ? RangeUnit::millimetres : RangeUnit::metres;
+    }
+
+  private:
+    bool points_ = false;
+    std::size_t beyond_ = 0;
+    std::size_t within_ = 0;
 };
 
 /// Where a laser was, in the plane and counter-clockwise: by its robot's odometry, or as a program

@@ -7,6 +7,7 @@ import math
 import pathlib
 import random
 import re
+import resource
 import struct
 import subprocess
 import sys
@@ -38,6 +39,12 @@ class OfFiles(unittest.TestCase):
                               check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
+
+    def laser_db3(self, name, times, **how):
+        path = self.path(name)
+        foreign.db3(path, [("/scan", "sensor_msgs/msg/LaserScan")],
+                    [(0, time, foreign.cdr_scan(time, [1, 2])) for time in times], **how)
+        return path
 
     def refused(self, path):
         done = subprocess.run([SCIPCAT, "info", str(path)], capture_output=True, text=True, check=False)
@@ -215,12 +222,6 @@ class Bags(OfFiles):
         foreign.sqlite3.connect(path).execute("CREATE TABLE songs(name TEXT)").connection.close()
         self.assertIn("is no bag of rosbag2: no such table: topics", self.refused(path))
 
-    def laser_db3(self, name, times, **how):
-        path = self.path(name)
-        foreign.db3(path, [("/scan", "sensor_msgs/msg/LaserScan")],
-                    [(0, time, foreign.cdr_scan(time, [1, 2])) for time in times], **how)
-        return path
-
     def test_rows_out_of_order(self):
         times = [NS + 10**8 * number for number in (4, 5, 7, 6, 0, 1, 3, 2, 9, 8)]
         for index in (True, False):
@@ -381,6 +382,78 @@ class Captures(OfFiles):
         for size in range(24, len(whole), 13):
             self.assertLessEqual(self.info(self.path("a.pcap", whole[:size]))["scans"], 8)
         self.assertIn("is no capture of a network", self.refused(self.path("a.pcap", whole[:20])))
+
+
+class Hostile(OfFiles):
+    """Small files that would cost much: each is refused or read, and no part of it costs the square of another."""
+
+    def bounded(self, *paths):
+        """What scipcat says within a minute of a processor, and its status."""
+        def bound():
+            resource.setrlimit(resource.RLIMIT_CPU, (60, 60))
+        done = subprocess.run([SCIPCAT, "info", "--json", *map(str, paths)], capture_output=True, text=True,
+                              check=False, preexec_fn=bound)
+        self.assertIn(done.returncode, (0, 2), done.stderr)
+        return json.loads(done.stdout) if done.returncode == 0 else done.stderr
+
+    def test_an_index_of_damaged_records(self):
+        """Where the next chunk begins is looked up for each of them."""
+        count = 100_000
+        text = b"\x89MCAP0\r\n" + foreign.mcap_record(1, bytes(8))
+        begin = len(text)
+        text += (struct.pack("<BQ", 0, 1 << 40) + bytes(31)) * count + foreign.mcap_record(15, bytes(4))
+        index = len(text)
+        text += b"".join(foreign.mcap_record(8, struct.pack("<QQQ", NS, NS, begin + 40 * number) + bytes(44))
+                         for number in range(count))
+        text += foreign.mcap_record(2, struct.pack("<QQI", index, 0, 0)) + b"\x89MCAP0\r\n"
+        self.assertIn(f"byte {begin}: the record here is damaged", self.bounded(self.path("a.mcap", text)))
+
+    def test_blocks_that_make_much(self):
+        """Frames of Zstandard that make 128 kB of four bytes."""
+        block = struct.pack("<I", 1 << 1 | (1 << 17) << 3)[:3] + b"\0"
+        frame = b"\x28\xb5\x2f\xfd\x00\x58" + block * 2000 + b"\1\0\0"
+        chunk = foreign.mcap_record(6, struct.pack("<QQQI", NS, NS, 2000 << 17, 0) + foreign.mcap_text("zstd") +
+                                    struct.pack("<Q", len(frame)) + frame)
+        text = b"\x89MCAP0\r\n" + foreign.mcap_record(1, bytes(8))
+        self.assertRegex(self.bounded(self.path("a.mcap", text + chunk * 500)),
+                         r"byte 25: the chunk of \d+ bytes makes more than 67108864 bytes")
+
+    def test_many_damaged_parts(self):
+        path = self.laser_db3("a.db3", [NS])
+        with foreign.sqlite3.connect(path) as database:
+            database.executemany("INSERT INTO messages(topic_id, timestamp, data) VALUES(1, ?, 'x')",
+                                 ((NS + number + 1,) for number in range(20_000)))
+        database.close()
+        info = self.bounded(path)
+        self.assertEqual((info["scans"], len(info["warnings"])), (1, 21))
+        self.assertEqual(info["warnings"][-1], "so many parts are damaged that the rest is not read")
+
+    def test_many_streams(self):
+        """Topics of an MCAP file, and connections of a capture, of which nobody speaks SCIP."""
+        text = b"\x89MCAP0\r\n" + foreign.mcap_record(1, bytes(8)) + foreign.mcap_record(
+            3, struct.pack("<H", 1) + foreign.mcap_text("sensor_msgs/msg/LaserScan") + foreign.mcap_text("") + bytes(4))
+        scan = foreign.cdr_scan(NS, [1])
+        for number in range(1, 20_001):
+            text += foreign.mcap_record(4, struct.pack("<HH", number, 1) + foreign.mcap_text(f"/{number}") +
+                                        foreign.mcap_text("cdr") + bytes(4))
+            text += foreign.mcap_record(5, struct.pack("<HIQQ", number, 0, NS, NS) + scan)
+        self.assertEqual(len(self.bounded(self.path("a.mcap", text))["streams"]), 20_000)
+        network = foreign.Network()
+        for number in range(60_000):
+            network.CLIENT = (struct.pack(">I", 0x0A000002 + number), 50000)
+            network.packet(True, b"GET\n")
+        info = self.bounded(self.path("a.pcap", foreign.pcap(network.packets)))
+        self.assertEqual(info["streams"], [])
+        self.assertIn("has more than 50000 TCP connections", info["warnings"][0])
+
+    def test_folders_of_many_parts(self):
+        self.laser_db3("d_0.db3", [NS])
+        self.path("metadata.yaml", foreign.metadata(f"d_{part}.db3" for part in range(50_000)).encode())
+        info = self.bounded(self.folder)
+        self.assertEqual((info["scans"], len(info["warnings"])), (1, 21))
+        self.path("metadata.yaml", b"a: &a [x, x]\nb: &b [*a, *a]\nrosbag2_bagfile_information:\n"
+                                   b"  relative_file_paths: *b\n")
+        self.assertEqual(self.bounded(self.folder)["scans"], 1)
 
 
 if __name__ == "__main__":

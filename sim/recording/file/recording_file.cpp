@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/recording/file/input_file.h"
+#include "sim/recording/file/recording_file.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <stdexcept>
 #include <utility>
 
 #include "sim/text/quote.h"
@@ -83,6 +84,27 @@ tl::unexpected<Fault> InputFile::refuse_line(std::size_t line, const std::string
 
 tl::unexpected<Fault> InputFile::refuse(const std::string& why) const {
     return sim::refuse(name_ + ": " + why);
+}
+
+GrowingFile::GrowingFile(const std::filesystem::path& path)
+    : path_(path), file_(path, std::ios::binary | std::ios::trunc) {
+    check();
+}
+
+void GrowingFile::write(std::string_view bytes) {
+    file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    check();
+    size_ += bytes.size();
+}
+
+void GrowingFile::flush() {
+    file_.flush();
+    check();
+}
+
+void GrowingFile::check() const {
+    if (!file_)
+        throw std::runtime_error("cannot write " + path_.string() + ": " + std::strerror(errno));
 }
 
 }  // namespace scipd::sim

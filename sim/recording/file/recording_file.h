@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A file that is read in pieces, from a disk or from memory. Of one owner; any thread.
+// Files of recordings: one that is read in pieces, from a disk or from memory, and one that grows.
+// Of one owner; any thread.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "sim/expected.h"
@@ -60,6 +63,28 @@ class InputFile {
     std::uint64_t size_ = 0;
     std::string window_;  ///< the last bytes that were read
     std::uint64_t window_begin_ = 0;
+};
+
+/// A file that a recording is written to, piece after piece.
+class GrowingFile {
+  public:
+    /// Replaces an old file. Throws std::runtime_error.
+    explicit GrowingFile(const std::filesystem::path& path);
+
+    /// Throws std::runtime_error where the disk is full.
+    void write(std::string_view bytes);
+    /// What was written so far stays, even if the process is killed. Throws as write().
+    void flush();
+
+    /// How much has been written.
+    [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  private:
+    void check() const;
+
+    std::filesystem::path path_;
+    std::ofstream file_;
+    std::uint64_t size_ = 0;
 };
 
 }  // namespace scipd::sim
