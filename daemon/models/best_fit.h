@@ -25,8 +25,8 @@ double misfit(const Model& model, const sim::Lidar& lidar);
 const Model& best_fit(const sim::Lidar& lidar);
 
 /// The product that has a text as its model, or whose name is in it, such as UTM-30LX in "SOKUIKI
-/// Sensor TOP-URG UTM-30LX(Hokuyo ...)": the longest name, and of several such products the one with
-/// this firmware or else the first. Null: none.
+/// Sensor TOP-URG UTM-30LX(Hokuyo ...)": the longest name, and of several such products the one
+/// with this firmware or else the first. Null: none.
 const Model* model_named_in(const std::string& text, const std::string& firmware = {});
 
 /// A recorded fan. The recording has its angles.

@@ -147,8 +147,8 @@ struct ScanChoice {
 /// items are scans. Throws WrongInput if it cannot be read.
 [[nodiscard]] std::unique_ptr<sim::Recording> open_recorded(const std::string& target);
 
-/// Calls `take` with each scan of the chosen stream until it returns false; `stamped` is that of the
-/// item. Returns the index of the stream. Warnings, and that there are several streams, go to
+/// Calls `take` with each scan of the chosen stream until it returns false; `stamped` is that of
+/// the item. Returns the index of the stream. Warnings, and that there are several streams, go to
 /// standard error. `name`: of the recording, for messages. Throws WrongInput if there are no scans,
 /// or the recording is damaged.
 using TakeScan = std::function<bool(const sim::RecordedScan& scan,

@@ -32,6 +32,7 @@ struct PlotOptions {
     ConnectionOptions connection;
     ScanOptions scan;
     std::uint64_t number = 1;  ///< of the scan in a recording
+    std::string stream;        ///< of it; empty: the first
     std::string model;         ///< that it was recorded from; empty: the recording says where
     std::string file;          ///< empty: the terminal
     std::string title;
@@ -81,7 +82,7 @@ PlotSubject take_scan(PlotOptions& options) {
 
 PlotSubject recorded_scan(const PlotOptions& options) {
     const std::string& file = options.connection.target;
-    PlotSubject subject = subject_of(file, options.number);
+    PlotSubject subject = subject_of(file, options.stream, options.number);
     if (!options.model.empty()) take_for_model(subject, options.model);
     const sim::Directions& directions = subject.scan.directions;
     if (!directions.first_rad || !directions.increment_rad)
@@ -127,6 +128,8 @@ void check(const PlotOptions& options) {
     if (options.need_truth() && recorded)
         throw CLI::ValidationError("--color material and error need a scanner of a scipd");
     if (options.number > 1 && !recorded) throw CLI::ValidationError("--scan needs a recording");
+    if (!options.stream.empty() && !recorded)
+        throw CLI::ValidationError("--stream needs a recording");
     if (!options.model.empty() && !recorded)
         throw CLI::ValidationError("--model is for recordings; a scanner reports its model");
 }
@@ -140,6 +143,8 @@ void add_plot_command(CLI::App& program) {
     options->connection.add_to(*command, Targets::scanners_and_recordings);
     command->add_option("--scan", options->number, "which scan of a recording to draw (1 = first)")
         ->check(whole_from(1));
+    command->add_option("--stream", options->stream,
+                        "scanner to use, of a recording of several; default: the first");
     command->add_option("--model", options->model,
                         "model that made a recording without angles, one of scipd --list-models");
     command->add_option("-o,--output", options->file, "the picture; default: in the terminal")

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "daemon/models/model_registry.h"
@@ -55,16 +54,17 @@ PlotSubject subject_of(ConnectedScanner& scanner, const ScanOptions& options) {
     return {daemon::recorded_scan(scan, identity, std::chrono::system_clock::now()), identity};
 }
 
-PlotSubject subject_of(const std::string& file, std::uint64_t number) {
+PlotSubject subject_of(const std::string& file, const std::string& stream, std::uint64_t number) {
     const auto recording = open_recorded(file);
-    for (std::uint64_t count = 1;; ++count) {
-        auto item = recording->next();
-        if (!item) throw WrongInput(item.error().why);
-        if (!*item) throw WrongInput(file + " has " + std::to_string(count - 1) + " scans");
-        if (count < number) continue;
-        auto& scan = std::get<sim::RecordedScan>((*item)->what);
-        return {std::move(scan), recording->streams()[(*item)->stream].identity};
-    }
+    PlotSubject subject;
+    std::uint64_t count = 0;
+    for_each_scan(*recording, file, {.stream = stream},
+                  [&](const auto& scan, const auto& of, bool) {
+                      if (++count == number) subject = {scan, of.identity};
+                      return count < number;
+                  });
+    if (count < number) throw WrongInput(file + " has " + std::to_string(count) + " scans");
+    return subject;
 }
 
 void take_for_model(PlotSubject& subject, const std::string& name) {

@@ -22,8 +22,9 @@ struct PlotSubject {
 /// protocol::client::Error.
 [[nodiscard]] PlotSubject subject_of(ConnectedScanner& scanner, const ScanOptions& options);
 
-/// The scan with this number, from 1. Throws WrongInput.
-[[nodiscard]] PlotSubject subject_of(const std::string& recording, std::uint64_t number);
+/// The scan of a stream with this number, from 1. Empty: the first stream. Throws WrongInput.
+[[nodiscard]] PlotSubject subject_of(const std::string& recording, const std::string& stream,
+                                     std::uint64_t number);
 
 /// The scan looks where the model's steps do, and its limits are the model's, as far as the
 /// recording says nothing else: as `scipd --replay --model` takes it. Throws WrongInput where there

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The table of scans: codes beside distances, repeated scans, several recordings, and the same scans
-// in three formats.
+// The table of scans: codes beside distances, repeated scans, several recordings, and the same
+// scans in three formats.
 #include "tools/analysis/scan_table.h"
 
 #include <bit>

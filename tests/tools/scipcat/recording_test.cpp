@@ -258,6 +258,8 @@ TEST(ScipcatRecordingPlot, DrawsAScan) {
     EXPECT_THAT(outcome.out,
                 HasSubstr(std::to_string(room_points(profile)) + " points in 1081 directions"));
     EXPECT_THAT(run_scipcat({"plot", file, "--scan", "5"}).err, HasSubstr("has 4 scans"));
+    EXPECT_THAT(run_scipcat({"plot", file, "--stream", "rear"}).err,
+                HasSubstr("has no stream \"rear\" with scans; it has scanner"));
     EXPECT_THAT(run_scipcat({"plot", file, "--color", "error"}).err,
                 HasSubstr("need a scanner of a scipd"));
 }
