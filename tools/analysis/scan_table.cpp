@@ -239,7 +239,7 @@ std::size_t for_each_scan(sim::Recording& recording, const std::string& name,
                          names_of(recording));
     if (!chosen) throw WrongInput(name + ": holds no scans");
     for (const std::string& warning : recording.warnings())
-        std::cerr << name << ": " << warning << '\n';
+        std::cerr << warning << '\n';
     if (choice.stream.empty() && recording.streams().size() > 1)
         std::cerr << name << ": has several scanners, " << names_of(recording) << "; "
                   << choice.option << " names one, and the first is taken\n";

@@ -174,13 +174,15 @@ class Bags(OfFiles):
         def bag(name, step_ns):
             messages = [("/scan", SCAN, NS + number, foreign.ros1_scan(NS + number * step_ns, [1, 2, 3] * 4))
                         for number in range(8)]
-            return self.path(name, foreign.bag([messages]))
+            return self.path(name, foreign.bag([messages + [("/tf", "tf/tfMessage", NS, b"....")]]))
 
         def compared(one, other):
             return subprocess.run([SCIPCAT, "compare", str(one), str(other), "--json"], capture_output=True, text=True,
                                   check=False)
 
-        sides = json.loads(compared(bag("a.bag", 25 * 10**6), bag("b.bag", 25 * 10**6)).stdout)
+        same = compared(bag("a.bag", 25 * 10**6), bag("b.bag", 25 * 10**6))
+        self.assertRegex(same.stderr, r"(?m)^/.*/a\.bag: left out, .*: /tf \(tf/tfMessage\)$")
+        sides = json.loads(same.stdout)
         self.assertEqual([(sides[side]["scans"], sides[side]["doubles"]) for side in "ab"], [(8, 0), (8, 0)])
         self.assertIn("b.bag has 1 scan; at least 4", compared(bag("a.bag", 25 * 10**6), bag("b.bag", 0)).stderr)
 
