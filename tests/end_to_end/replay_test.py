@@ -195,6 +195,9 @@ def has_any_fan(programs, folder):
         assert "has no steps for" in log and "degrees" in log, log
         assert all(value == (1000 if angle > 0 else 1500) for angle, value in by_angle
                    if abs(math.sin(angle)) > 0.02), (first, increment)
+    even = [1 + i / 100 for i in range(64)]
+    _, by_angle, _ = played(programs, folder, bag_of(folder, even, (-31.5 * 0.01, 0.01), (0.1, 12)))
+    assert [value for _, value in by_angle] == [1000 + 10 * i for i in range(64)], by_angle
     done = subprocess.run([programs[0], "--replay", str(recording), "--model", "UTM-30LX", "--strict"],
                           capture_output=True, text=True, timeout=PATIENCE_S, check=False)
     assert done.returncode == 2 and "has no steps for" in done.stderr, done
@@ -286,6 +289,24 @@ def values_of(player, scipcat, folder):
     return [json.loads(line)["distances_mm"][300] for line in (folder / "v.jsonl").read_text().splitlines()]
 
 
+def cuts_silence(programs, folder):
+    """The front scanner rests for 90 s while the rear one goes on, and then both for 200 s."""
+    begin_ns = foreign.BEGIN_S * 10**9
+    times_s = {"/front/scan": [0, 1, 91, 92, 292, 293], "/rear/scan": [*range(93), 292.5, 293.5]}
+    chunk = sorted((begin_ns + int(1e9 * time_s), topic) for topic, times in times_s.items() for time_s in times)
+    (folder / "rests.bag").write_bytes(foreign.bag([[
+        (topic, "sensor_msgs/LaserScan", stamp, foreign.ros1_scan(stamp, [1.0] * 541, (),
+                                                                  (-math.pi / 2, math.pi / 540)))
+        for stamp, topic in chunk]]))
+    with Scipd(programs[0], folder, "--replay", str(folder / "rests.bag"), "--control", str(folder / "s")) as player:
+        replays = [Control(folder / "s").ask("GET", f"/sensors/{sensor['name']}/replay")[1]
+                   for sensor in player.ready["sensors"]]
+    front_s, rear_s = (replay["duration_s"] for replay in replays)  # with a revolution behind the last scan
+    assert 94 < front_s <= 95 and abs(rear_s - front_s - 0.5) < 1e-6, replays
+    log = (folder / "stderr").read_text()
+    assert "has no scan for more than a minute, 1 times, in sum for 199 s, which are left out" in log, log
+
+
 def refuses_what_is_none(programs, folder):
     scipd = programs[0]
     for name, text, advice in [("a.txt", "hello\n", "a.txt"), ("empty.jsonl", "", "empty.jsonl")]:
@@ -307,6 +328,7 @@ def main(*programs):
         has_codes_again(programs, pathlib.Path(folder))
         has_any_fan(programs, pathlib.Path(folder))
         serves_all_scanners(programs, pathlib.Path(folder))
+        cuts_silence(programs, pathlib.Path(folder))
         plays_several_files(programs, pathlib.Path(folder))
     print("recorded scans come again")
 

@@ -73,8 +73,8 @@ class BlockRecording : public LaserRecording {
     [[nodiscard]] virtual std::optional<std::uint64_t> chunk_behind(std::uint64_t byte) = 0;
     /// The records in the bytes of a block, unpacked.
     [[nodiscard]] virtual Expected<std::string> records_of(std::string block) = 0;
-    /// Takes the next record of a block; messages that may be wanted go into `unpacked`. False where
-    /// none begins, or it is not whole.
+    /// Takes the next record of a block; messages that may be wanted go into `unpacked`. Returns
+    /// false if none begins, or it is not whole.
     virtual bool take_record(ByteReader& records, Unpacked& unpacked) = 0;
     [[nodiscard]] virtual Next item_of(const Message& message, std::string_view data) {
         return laser_item(message.channel, message.time, data);

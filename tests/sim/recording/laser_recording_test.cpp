@@ -134,14 +134,16 @@ TEST(LaserMessage, RefusesALengthBeyondItsBytes) {
         EXPECT_FALSE(parse_laser(writer.bytes(), type, RosEncoding::cdr));
 }
 
-TEST(LaserMessage, RefusesIntensitiesOfOtherCount) {
+TEST(LaserMessage, LeavesOutIntensitiesOfOtherCount) {
     MessageWriter writer(RosEncoding::ros1);
     writer.begin();
     writer.reals({1, 2, 3});
     writer.reals({1, 2});
     const auto message = parse_laser(writer.bytes(), LaserType::laser_scan, RosEncoding::ros1);
-    ASSERT_FALSE(message);
-    EXPECT_EQ(message.error().why, "the message has 2 intensities for 3 ranges");
+    ASSERT_TRUE(message);
+    EXPECT_THAT(message->scan.ranges, ElementsAre(1, 2, 3));
+    EXPECT_TRUE(message->scan.intensities.empty());
+    EXPECT_EQ(message->lost_intensities, 2U);
 }
 
 TEST(LaserMessage, HasNamesInBothRos) {
