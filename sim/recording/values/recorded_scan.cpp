@@ -55,7 +55,8 @@ RecordedReading reading_of(double value, RangeUnit unit, const ScannerIdentity& 
     if (std::isnan(value)) return {nothing};
     if (std::isinf(value)) return {value < 0 ? too_near : too_far};
     const double mm = unit == RangeUnit::metres ? value * mm_per_m : value;
-    const double from_mm = identity.min_range_m ? *identity.min_range_m * mm_per_m : least_mm;
+    const double told_mm = identity.min_range_m.value_or(0.0) * mm_per_m;
+    const double from_mm = told_mm > 0 ? told_mm : least_mm;
     const double to_mm =
         identity.max_range_m ? *identity.max_range_m * mm_per_m : first_high_code_mm - 1;
     constexpr double rounded_mm = 0.01;
