@@ -177,7 +177,6 @@ bool Device::driven() const {
 
 void Device::watch(std::function<void(const ScanRecord&)> watcher, WatchedBy who) {
     watchers_.set(who, std::move(watcher));
-    resume_replay();
     if (watchers_.any() && on_wanted_) on_wanted_();
 }
 
@@ -259,7 +258,6 @@ void Device::serve_latest(ServedClient& client) {
         session.take(measure(revolution).sent.view(), uptime());
     }
     follow_motor();
-    resume_replay();
     if (session.measuring() && on_wanted_) on_wanted_();
     const int bit_rate = protocol::bit_rate_of(state_.settings(), profile_);
     const bool booted = boots_told_ != state_.boots();

@@ -80,6 +80,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// Somebody who sees every scan, whatever clients want; null: nobody.
     void watch(Watchers<ScanRecord>::Watcher watcher, WatchedBy who = WatchedBy::stream);
 
+    void resume() override;
     [[nodiscard]] std::int64_t next_revolution() const override;
     /// At the first tick of the firmware after its last step.
     [[nodiscard]] sim::Time leaves(std::int64_t revolution) const override;
@@ -115,8 +116,6 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     void follow_motor();
     /// A log that waits for its first client begins with the first turn that one takes.
     void begin_replay(std::int64_t revolution, bool watched);
-    /// From now on the mirror turns as recorded, after a rest in which nobody wanted scans.
-    void resume_replay();
     /// Lets it turn as it did when the scan of this revolution was recorded.
     void turn_as_recorded(std::int64_t revolution);
     [[nodiscard]] ReplayTurn replay_turn(std::int64_t revolution) const;

@@ -33,7 +33,8 @@ void Device::begin_replay(std::int64_t revolution, bool watched) {
     turn_as_recorded(revolution);
 }
 
-void Device::resume_replay() {
+// The mirror turned at its own pace meanwhile.
+void Device::resume() {
     if (replay_) turn_as_recorded(std::max<std::int64_t>(timing_.revolution_at(uptime()), 0));
 }
 

@@ -41,6 +41,7 @@ ScanLoop::~ScanLoop() {
 
 void ScanLoop::wake() {
     if (waiting_) return;
+    source_.resume();
     revolution_ = source_.next_revolution();
     wait(source_.leaves(revolution_));
 }

@@ -33,6 +33,8 @@ class ScanSource {
     /// The sensor calls this when wanted() may have become true.
     virtual void on_wanted(std::function<void()> callback) = 0;
 
+    /// To be called before turns are waited for, where nobody wanted scans until now.
+    virtual void resume() {}
     /// The first revolution whose scan has not left yet.
     [[nodiscard]] virtual std::int64_t next_revolution() const = 0;
     /// When its scan leaves.

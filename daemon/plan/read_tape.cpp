@@ -331,9 +331,18 @@ Places by_steps(const sim::RecordedScan& scan, int first, const sim::SensorSpec&
 Places by_angles(const sim::RecordedScan& scan, const sim::SensorSpec& optics) {
     const double first_rad = *scan.directions.first_rad;
     const double increment_rad = *scan.directions.increment_rad;
+    // A fan with an even number of directions has none ahead, where SCIP has a step: its values lie
+    // half a step beside all steps, and rounding would take one of them twice.
+    constexpr double beside = 0.75;
+    const auto off = [&](int step, double value) {
+        return std::abs((optics.angle_rad(step) - first_rad) / increment_rad - value);
+    };
+    const auto last = static_cast<double>(scan.steps()) - 1.0;
+    if (scan.steps() == static_cast<std::size_t>(optics.beams()) &&
+        off(optics.first_step, 0.0) < beside && off(optics.last_step, last) < beside)
+        return by_steps(scan, optics.first_step, optics);
     const double values_of_turn = 2.0 * std::numbers::pi / std::abs(increment_rad);
     // Angles of 32 bits may leave a gap of less than a value where a round scan closes.
-    const auto last = static_cast<double>(scan.steps()) - 1.0;
     const double most = last + 1.5 > values_of_turn ? last : values_of_turn;
     Places places;
     for (int step = optics.first_step; step <= optics.last_step; ++step) {

@@ -231,6 +231,9 @@ Expected<Table> table_under(const Cells& cells) {
         else
             table.left_out.push_back(cells[column]);
     }
+    const table::Columns& beside = table.description.columns;
+    // `rostopic echo -p` numbers ranges from 0 on, whatever their angles are.
+    if (beside.first_rad && beside.increment_rad) table.description.blank.directions = {};
     return table;
 }
 
