@@ -15,6 +15,9 @@
 namespace scipd::sim {
 namespace {
 
+/// Each costs memory, and a hostile file may name a million.
+constexpr std::size_t most_topics = 4096;
+
 /// The fields of a message, one after the other. All numbers of scans have 32 bits.
 class Fields {
   public:
@@ -136,6 +139,12 @@ void LaserRecording::add_topic(std::uint32_t id, const RosTopic& topic) {
     const auto type = laser_type(topic.type);
     if (!type) return leave_out(topic.name, topic.type);
     if (topics_.contains(id)) return;
+    if (streams().size() >= most_topics && !streams_by_name_.contains(topic.name)) {
+        if (!std::exchange(too_many_, true))
+            warn(file_.name() + ": has more than " + std::to_string(most_topics) +
+                 " topics of scans; the others are left out");
+        return;
+    }
     // Several publishers of one topic are several connections of a bag.
     const auto [found, is_new] = streams_by_name_.try_emplace(topic.name, 0);
     if (is_new) found->second = add_stream({.name = topic.name, .type = topic.type});

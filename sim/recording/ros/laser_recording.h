@@ -77,6 +77,7 @@ class LaserRecording : public Recording {
 
     std::map<std::uint32_t, Topic> topics_;
     std::map<std::string, std::size_t> streams_by_name_;
+    bool too_many_ = false;  ///< topics, which the user has been told
 };
 
 }  // namespace scipd::sim

@@ -186,10 +186,10 @@ class Network:
 
 
 def pcap(packets):
-    text = struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65535, 1)
-    for time, frame in packets:
-        text += struct.pack("<IIII", BEGIN_S + time // 10**9, time % 10**9 // 1000, len(frame), len(frame)) + frame
-    return text
+    head = struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65535, 1)
+    return head + b"".join(
+        struct.pack("<IIII", BEGIN_S + time // 10**9, time % 10**9 // 1000, len(frame), len(frame)) + frame
+        for time, frame in packets)
 
 
 def pcapng(packets):
