@@ -18,9 +18,9 @@ namespace scipd::sim {
 inline constexpr std::size_t largest_block = std::size_t{256} << 20;
 
 /// The whole block, packed by a method as files name it: "zstd", "lz4", "bz2", or not at all
-/// ("none" and ""). Refuses what is damaged, is cut off, or makes more than largest_block, more than a
-/// hundred times as much (scans are packed to a tenth of their size at best) or more than `left`,
-/// which goes down by what is made.
+/// ("none" and ""). Refuses what is damaged, is cut off, or makes more than largest_block, more
+/// than a hundred times as much (scans are packed to a tenth of their size at best) or more than
+/// `left`, which goes down by what is made.
 [[nodiscard]] Expected<std::string> unpack(std::string_view method, std::string_view packed,
                                            std::uint64_t& left);
 
