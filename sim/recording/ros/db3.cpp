@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 #include <algorithm>
+#include <bit>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <sqlite3.h>
 
 #include "sim/recording/compression/compression.h"
+#include "sim/recording/file/byte_reader.h"
 #include "sim/recording/ros/bags.h"
 #include "sim/recording/ros/laser_recording.h"
 #include "sim/text/quote.h"
@@ -70,6 +72,19 @@ int open_memory(std::string& bytes, sqlite3** database) {
     return sqlite3_deserialize(*database, "main", data, size, size, SQLITE_DESERIALIZE_READONLY);
 }
 
+/// Bytes that a file lacks at its end, by its header (sqlite.org/fileformat2.html, 1.3).
+std::uint64_t missing_of(InputFile& file) {
+    constexpr std::size_t header_size = 100;
+    const auto header = file.read(0, header_size);
+    if (!header || header->size() < header_size) return 0;
+    ByteReader page_size(std::string_view(*header).substr(16), std::endian::big);
+    ByteReader pages(std::string_view(*header).substr(28), std::endian::big);
+    const auto told = page_size.number<std::uint16_t>();
+    const std::uint64_t size = told == 1 ? 65536 : told;
+    const std::uint64_t whole = size * pages.number<std::uint32_t>();
+    return whole > file.size() ? whole - file.size() : 0;
+}
+
 struct CloseSqlite {
     void operator()(sqlite3* database) const { sqlite3_close(database); }
     void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
@@ -123,13 +138,18 @@ class Db3 final : public LaserRecording {
     Expected<> open() {
         if (const int opened = open_database(); opened != SQLITE_OK)
             return file_.refuse(sqlite3_errstr(opened));
-        distrust();
+        const std::uint64_t missing = missing_of(file_);
+        distrust(missing > 0);
         if (const auto read = read_topics(); !read)
             return file_.refuse("is no bag of rosbag2: " + read.error().why);
         // Where there is no index of the times, the library sorts the rows, but without the data.
-        messages_ =
-            ask("SELECT rowid, topic_id, timestamp FROM messages WHERE timestamp >= ? "
-                "ORDER BY timestamp, rowid");
+        messages_ = ask(missing == 0 ? "SELECT rowid, topic_id, timestamp FROM messages "
+                                       "WHERE timestamp >= ? ORDER BY timestamp, rowid"
+                                     : "SELECT rowid, topic_id, timestamp FROM messages "
+                                       "NOT INDEXED WHERE timestamp >= ?");
+        if (missing > 0)
+            warn(file_.name() + ": lacks " + std::to_string(missing) +
+                 " bytes at its end; messages are read as they were written, until one lacks");
         messages_->bind(std::numeric_limits<std::int64_t>::min());
         data_ = ask("SELECT data FROM messages WHERE rowid = ?");
         return {};
@@ -156,8 +176,10 @@ class Db3 final : public LaserRecording {
         return opened;
     }
 
-    void distrust() {
-        sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    /// The library reads no file that was cut off, but for repair.
+    void distrust(bool cut) {
+        sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_DEFENSIVE, cut ? 0 : 1, nullptr);
+        sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_WRITABLE_SCHEMA, cut ? 1 : 0, nullptr);
         sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
         sqlite3_limit(database_.get(), SQLITE_LIMIT_LENGTH, static_cast<int>(largest_block));
         rounds_left_ = static_cast<std::int64_t>(file_.size()) / bytes_of_round + least_rounds;

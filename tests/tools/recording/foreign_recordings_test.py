@@ -256,6 +256,13 @@ class Bags(OfFiles):
         database.close()
         self.assertEqual(self.info(path)["scans"], 2)
 
+    def test_a_db3_that_was_cut_off(self):
+        whole = self.laser_db3("a.db3", [NS + 10**8 * number for number in range(2000)]).read_bytes()
+        info = self.info(self.path("cut.db3", whole[:len(whole) // 2]))
+        self.assertTrue(500 < info["scans"] < 1500, info["scans"])
+        self.in_order(info, info["scans"], 0.1)
+        self.assertIn(f"lacks {len(whole) - len(whole) // 2} bytes at its end", " ".join(info["warnings"]))
+
     def test_a_view_in_place_of_the_messages(self):
         path = self.laser_db3("a.db3", [])
         with foreign.sqlite3.connect(path) as database:
