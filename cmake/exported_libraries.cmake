@@ -90,6 +90,7 @@ scipd_exports(
           sim/loaders/file/load_limits.h
           sim/loaders/file/loaded_scene.h
           sim/loaders/file/new_model.h
+          sim/loaders/map/map_options.h
           sim/loaders/materials/materials_file.h
           sim/loaders/mesh/mesh_file.h
           sim/loaders/poses/trajectory.h

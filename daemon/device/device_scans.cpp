@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How a device gets its scans: it casts them into the world, or plays a recording.
+// The scans of a device: cast into the world, or played from a recording.
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -107,7 +107,7 @@ ScanRecord Device::cast(std::int64_t revolution) {
     return record;
 }
 
-// What no fault has changed goes out as it was recorded, codes of other firmware too.
+// Readings that no fault has changed go out as they were recorded, codes of other firmware too.
 ScanRecord Device::played(std::int64_t revolution, const Replay::Shown& shown) {
     TapedScan taped = replay_->tape().scan(shown.scan);
     state_.set_clock(start_of(revolution), std::chrono::milliseconds(shown.stamp_ms));

@@ -193,8 +193,8 @@ class Loader {
         }
     }
 
-    /// Nobody waits for hours in which no scanner of the log was on, but where stamps of poses tell
-    /// when each scan is due.
+    /// Removes hours in which no scanner of the log was on, unless stamps of poses tell when each
+    /// scan is due.
     void cut_silence(Log& log) {
         const ReplayConfig& replay = *log.front().sensor->replay;
         const auto stamped = [](const Player& player) {

@@ -28,10 +28,10 @@ sim::LoadedScene load_world(const Config& config, const sim::SharedMaterials& ma
 /// The faults of a file, each with the `place` where the configuration names the file.
 sim::LoadError named_at(const std::string& place, const sim::LoadError& error);
 
-/// How to load that world, and whatever takes its place or is added to it.
+/// Options to load that world, and whatever takes its place or is added to it.
 sim::SceneOptions scene_options(const Config& config, const sim::SharedMaterials& materials);
 
-/// Nothing where the configuration names none. Throws sim::LoadError with every fault.
+/// Returns nullopt if the configuration names none. Throws sim::LoadError with every fault.
 std::optional<Scenario> load_scenario(const Config& config);
 
 struct LoadedMaterials {
@@ -47,7 +47,7 @@ LoadedMaterials load_materials(const Config& config);
 /// "34 (84 % of 178 numbers assumed)"
 std::string summary_of(const sim::MaterialLibrary& library);
 
-/// Which robot plays what.
+/// The sources of the poses that robots play, by robot.
 using PlayedSources = std::map<std::string, PoseSource>;
 
 struct LoadedTrajectories {

@@ -45,7 +45,7 @@ class ScanReader {
         recording_ = *std::move(opened);
     }
 
-    /// Null at the end.
+    /// Returns null at the end.
     const RecordedScan* next() {
         while (true) {
             auto item = recording_->next();
@@ -61,10 +61,10 @@ class ScanReader {
         }
     }
 
-    /// What comes earlier, behind the next scan, may be left out.
+    /// Scans that come earlier, behind the next one, may be left out.
     void skip_ahead(sim::Time since_first) { skip_ = since_first; }
 
-    /// Which scanner the stream that was read came from.
+    /// The scanner of the stream that was read.
     [[nodiscard]] const sim::ScannerIdentity& identity() const {
         return recording_->streams()[stream_.value()].identity;
     }
@@ -100,7 +100,7 @@ class ScanReader {
     std::optional<sim::HostTime> logged_;
 };
 
-/// Nothing where the two stamps do not follow each other.
+/// Returns nullopt if the two stamps do not follow each other.
 std::optional<sim::Time> follows(sim::Time apart) {
     if (apart > sim::Time::zero() && apart <= longest_gap) return apart;
     return std::nullopt;
@@ -119,9 +119,9 @@ struct Moment {
           logged(logged_at) {}
 };
 
-/// By the scanner's clock where it has one, else by that of the headers. Where that jumps, the
-/// recorder's log time counts. What lies between them may have been left out, up to `unread` and
-/// less than a gap.
+/// Time between two scans: by the scanner's clock if it has one, else by that of the headers, and
+/// by the recorder's log time if that jumps. Scans between them may have been left out, up to
+/// `unread` and less than a gap.
 sim::Time between(const Moment& a, const Moment& b, sim::Time period, sim::Time unread = {}) {
     std::optional<sim::Time> apart;
     if (unread > sim::Time::zero() && a.host && b.host) {
@@ -144,7 +144,7 @@ sim::Time between(const Moment& a, const Moment& b, sim::Time period, sim::Time 
     return apart.value_or(period);
 }
 
-/// How much of the beginning is never shown, and need not be read: a little less than what comes
+/// The beginning that is never shown, and need not be read: a little less than what comes
 /// before from_s, since a scan is in the file a while after its time.
 sim::Time unread_of(const ReplayConfig& replay) {
     constexpr sim::Time margin = 2s;
@@ -152,7 +152,7 @@ sim::Time unread_of(const ReplayConfig& replay) {
     return again ? sim::Time::zero() : std::max<sim::Time>(replay.from - margin, 0s);
 }
 
-/// What a driver would see as the stamp: the recorded one, or the time since the first scan.
+/// The stamp that a driver sees: the recorded one, or the time since the first scan.
 std::uint32_t stamp_of(const RecordedScan& scan, sim::Time begin) {
     if (scan.stamp_ms) return *scan.stamp_ms & stamp_mask;
     if (scan.stamp_us) return static_cast<std::uint32_t>(*scan.stamp_us / 1000) & stamp_mask;
@@ -244,7 +244,7 @@ Places places_of(const RecordedScan& scan, const Model& model, const ReplayConfi
     return places;
 }
 
-/// How much of a recording the model has no step or no range for.
+/// The part of a recording that the model has no step or no range for.
 class Loss {
   public:
     Loss(const ReplayConfig& replay, const Model& model) : replay_(replay), model_(model) {}

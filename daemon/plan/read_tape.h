@@ -22,7 +22,7 @@
 
 namespace scipd::daemon {
 
-/// What a recording says of the scanner that it is of.
+/// The scanner of a recording, as far as the recording tells.
 struct RecordedScanner {
     sim::ScannerIdentity identity;
     Model model;

@@ -18,7 +18,7 @@
 
 namespace scipd::daemon {
 
-/// What one scan tells of each step, beginning with the first that is measured.
+/// The values of one scan, step by step from the first that is measured.
 struct TapedScan {
     std::vector<std::uint32_t> distance;  ///< mm, or a code, as recorded
     std::vector<std::uint32_t> intensity;

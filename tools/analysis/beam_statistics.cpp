@@ -56,7 +56,7 @@ BeamStatistics statistics_of(const ScanTable& series, ScanSpan scans, std::size_
 /// scanners have.
 constexpr double usual_increment_rad = 0.0087;
 
-/// What is so much brighter is of another material.
+/// A reading that is so much brighter is of another material.
 constexpr double as_bright = 1.3;
 
 bool apart(const BeamStatistics& beam, const BeamStatistics& next) {

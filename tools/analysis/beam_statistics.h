@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What each beam of a series says, scan after scan. Functions of numbers; any thread.
+// Statistics of each beam of a table of scans. Functions of numbers; any thread.
 #pragma once
 
 #include <cstddef>

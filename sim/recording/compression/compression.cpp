@@ -27,11 +27,11 @@ struct Release {
     void operator()(auto* state) const { release(state); }
 };
 
-/// What a library has done in one step.
+/// The result of one step of a library.
 struct Step {
     std::size_t read = 0;
     std::size_t made = 0;
-    bool whole = false;  ///< nothing is missing
+    bool whole = false;  ///< the end has been reached
     std::string fault;
 };
 
@@ -130,7 +130,7 @@ Expected<std::string> bzip2_block(std::string_view packed, std::uint64_t& left) 
                   piece.size() - stream.avail_out,
                   result == BZ_STREAM_END,
                   {}};
-        // What follows the end of the stream is of no block.
+        // Bytes behind the end of the stream are of no block.
         if (step.whole) step.read = rest.size();
         if (result != BZ_OK && !step.whole) step.fault = "bzip2";
         return step;

@@ -29,7 +29,7 @@ inline constexpr std::size_t largest_block = std::size_t{256} << 20;
 [[nodiscard]] Expected<> unpack_zstd(const std::function<Expected<std::string>()>& read,
                                      const std::function<Expected<>(std::string_view)>& write);
 
-/// By "zstd", "lz4" or "".
+/// Packs by the method "zstd", "lz4" or "".
 [[nodiscard]] std::string pack(std::string_view method, std::string_view bytes);
 
 }  // namespace scipd::sim

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why the path names no plain file; empty if it does.
+/// The reason why the path names no plain file; empty if it does.
 std::string why_no_file(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);

@@ -115,7 +115,7 @@ std::optional<std::uint64_t> Mcap::chunk_behind(std::uint64_t byte) {
     return *chunk;
 }
 
-/// Where the chunks begin, and the index itself.
+/// The beginnings of chunks, and of the index.
 void Mcap::read_index() {
     constexpr std::uint64_t tail = 20 + mcap::magic.size();  // content of the footer
     indexed_.emplace();
@@ -163,7 +163,7 @@ Expected<> Mcap::take_content(Opcode opcode, std::uint64_t byte, std::uint64_t l
     return {};
 }
 
-/// Those of a chunk once its checksum is right.
+/// The records of a chunk once its checksum is right.
 Expected<std::string> Mcap::records_of(std::string block) {
     if (!block.starts_with(static_cast<char>(Opcode::chunk))) return block;
     const auto chunk = mcap::parse_chunk(std::string_view(block).substr(mcap::record_head));

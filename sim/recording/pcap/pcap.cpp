@@ -97,7 +97,7 @@ class OneWay {
 
     /// The bytes that are in order, with the times of their segments.
     [[nodiscard]] std::vector<RecordedBytes> take() { return std::exchange(ready_, {}); }
-    /// How many bytes were skipped.
+    /// Count of bytes that were skipped.
     [[nodiscard]] std::uint64_t lost() const { return lost_; }
     /// Memory of what waits.
     [[nodiscard]] std::size_t waiting() const {
@@ -142,7 +142,7 @@ class OneWay {
 
     Way way_;
     std::optional<Tins::TCPIP::DataTracker> tracker_;
-    std::uint64_t position_ = 0;               ///< how many bytes came before the next
+    std::uint64_t position_ = 0;               ///< of the next byte in the stream
     std::map<std::uint64_t, HostTime> times_;  ///< of segments that wait, by position
     std::uint64_t lost_ = 0;
     std::vector<RecordedBytes> ready_;
@@ -211,7 +211,7 @@ class Capture final : public Recording {
     } catch (const Tins::exception_base&) {
     }
 
-    /// Whether the packet is none of fragments, or the last of them, and now is all of them.
+    /// Returns true if the packet is whole: no fragment, or the last one, which now is all of them.
     bool is_whole(Tins::IP& ip) {
         const auto status = fragments_.process(ip);
         if (status == Tins::IPv4Reassembler::FRAGMENTED && ++waiting_fragments_ > most_fragments)
@@ -245,15 +245,15 @@ class Capture final : public Recording {
         give(way, *connection->stream);
     }
 
-    /// Who asks to open is the client. In the middle of a connection the port tells, else that of a
-    /// server is the lower one.
+    /// The side that asks to open is the client. In the middle of a connection the port tells, else
+    /// that of a server is the lower one.
     static bool is_from_scanner(const Tins::TCP& tcp, bool syn) {
         if (syn) return tcp.get_flag(Tins::TCP::ACK) != 0;
         if (tcp.sport() == scanner_port) return true;
         return tcp.dport() != scanner_port && tcp.sport() < tcp.dport();
     }
 
-    /// Nothing where there are too many.
+    /// Returns nullopt if there are too many.
     Connection* connection_of(const Ends& ends, const Tins::TCP& tcp) {
         const bool asks = tcp.flags() & Tins::TCP::SYN && !(tcp.flags() & Tins::TCP::ACK);
         auto found = connections_.find(ends);

@@ -167,7 +167,7 @@ std::optional<std::uint64_t> Bag::take_record(std::uint64_t byte) {
     return record->end();
 }
 
-/// By the index; the chunks of a bag that was not closed are unpacked to find their times.
+/// The chunks, by the index; those of a bag that was not closed are unpacked to find their times.
 void Bag::set_times(Block& block) {
     if (block.first != HostTime{}) return;
     if (const auto info = infos_.find(block.byte); info != infos_.end()) {

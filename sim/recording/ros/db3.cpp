@@ -142,7 +142,7 @@ class Db3 final : public LaserRecording {
         distrust(missing > 0);
         if (const auto read = read_topics(); !read)
             return file_.refuse("is no bag of rosbag2: " + read.error().why);
-        // Where there is no index of the times, the library sorts the rows, but without the data.
+        // Without an index of the times the library sorts the rows, but without their data.
         messages_ = ask(missing == 0 ? "SELECT rowid, topic_id, timestamp FROM messages "
                                        "WHERE timestamp >= ? ORDER BY timestamp, rowid"
                                      : "SELECT rowid, topic_id, timestamp FROM messages "
@@ -229,7 +229,7 @@ class Db3 final : public LaserRecording {
                                   ", cannot be read: " + row.error().why));
             if (!row || !*row) return std::nullopt;
             message_ = messages_->number(0);
-            // Of a sane clock, so that sums fit.
+            // Clamped to a sane clock, so that sums fit.
             log_ns_ = std::clamp<std::int64_t>(messages_->number(2), 0, std::int64_t{1} << 62);
             if (!begin_ns_) begin_ns_ = log_ns_;
             const auto topic = static_cast<std::uint32_t>(messages_->number(1));

@@ -38,7 +38,7 @@ class Fields {
     }
     float real() { return std::bit_cast<float>(word()); }
     void skip_text() { reader_.skip(word()); }
-    /// How many elements follow: a length that the bytes cannot hold reads past their end.
+    /// The count of elements that follow: a length that the bytes cannot hold reads past their end.
     std::uint32_t count() {
         const std::uint32_t count = word();
         if (count <= reader_.rest().size()) return count;
