@@ -195,12 +195,12 @@ def has_any_fan(programs, folder):
         assert "has no steps for" in log and "degrees" in log, log
         assert all(value == (1000 if angle > 0 else 1500) for angle, value in by_angle
                    if abs(math.sin(angle)) > 0.02), (first, increment)
-    even = [1 + i / 100 for i in range(64)]
-    _, by_angle, _ = played(programs, folder, bag_of(folder, even, (-31.5 * 0.01, 0.01), (0.1, 12)))
-    assert [value for _, value in by_angle] == [1000 + 10 * i for i in range(64)], by_angle
     done = subprocess.run([programs[0], "--replay", str(recording), "--model", "UTM-30LX", "--strict"],
                           capture_output=True, text=True, timeout=PATIENCE_S, check=False)
     assert done.returncode == 2 and "has no steps for" in done.stderr, done
+    even = [1 + i / 100 for i in range(64)]
+    _, by_angle, _ = played(programs, folder, bag_of(folder, even, (-31.5 * 0.01, 0.01), (0.1, 12)))
+    assert [value for _, value in by_angle] == [1000 + 10 * i for i in range(64)], by_angle
     far = bag_of(folder, [150.0] * 361, (-math.pi / 2, math.pi / 360), (0.1, 200))
     about, by_angle, _ = played(programs, folder, far)
     assert (about["dmax_mm"], len(by_angle)) == (200000, 361) and {value for _, value in by_angle} == {150000}, about

@@ -3,7 +3,6 @@
 #include "sim/loaders/map/map_picture.h"
 
 #include <stdexcept>
-#include <string>
 
 #include "sim/loaders/file/mistaken_file.h"
 
@@ -18,13 +17,6 @@ MapImage read_map_image(std::string_view bytes) {
         throw std::invalid_argument(why);
     }
     throw std::invalid_argument("is no PGM, PNG, BMP, JPEG or TIFF; save the map as one of these");
-}
-
-void check_map_size(std::uint64_t width, std::uint64_t height) {
-    if (width == 0 || height == 0) throw std::invalid_argument("has no pixels");
-    if (width <= most_map_cells && height <= most_map_cells / width) return;
-    throw std::invalid_argument("has " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels; a map has at most 100 million");
 }
 
 }  // namespace scipd::sim

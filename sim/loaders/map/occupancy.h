@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "sim/loaders/map/map_file.h"
-#include "sim/loaders/map/map_picture.h"
+#include "sim/loaders/map/map_image.h"
 
 namespace scipd::sim {
 

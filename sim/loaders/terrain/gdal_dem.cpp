@@ -22,7 +22,7 @@
 #include <glm/vec2.hpp>
 #include <ogr_srs_api.h>
 
-#include "sim/loaders/map/map_picture.h"
+#include "sim/loaders/map/map_image.h"
 
 namespace scipd::sim {
 namespace {

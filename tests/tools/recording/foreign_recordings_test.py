@@ -439,14 +439,14 @@ class Hostile(OfFiles):
 
     def test_many_streams(self):
         """Topics of an MCAP file, and connections of a capture, of which nobody speaks SCIP."""
-        text = b"\x89MCAP0\r\n" + foreign.mcap_record(1, bytes(8)) + foreign.mcap_record(
-            3, struct.pack("<H", 1) + foreign.mcap_text("sensor_msgs/msg/LaserScan") + foreign.mcap_text("") + bytes(4))
+        parts = [b"\x89MCAP0\r\n", foreign.mcap_record(1, bytes(8)), foreign.mcap_record(
+            3, struct.pack("<H", 1) + foreign.mcap_text("sensor_msgs/msg/LaserScan") + foreign.mcap_text("") + bytes(4))]
         scan = foreign.cdr_scan(NS, [1])
         for number in range(1, 20_001):
-            text += foreign.mcap_record(4, struct.pack("<HH", number, 1) + foreign.mcap_text(f"/{number}") +
-                                        foreign.mcap_text("cdr") + bytes(4))
-            text += foreign.mcap_record(5, struct.pack("<HIQQ", number, 0, NS, NS) + scan)
-        info = self.bounded(self.path("a.mcap", text))
+            parts.append(foreign.mcap_record(4, struct.pack("<HH", number, 1) + foreign.mcap_text(f"/{number}") +
+                                             foreign.mcap_text("cdr") + bytes(4)))
+            parts.append(foreign.mcap_record(5, struct.pack("<HIQQ", number, 0, NS, NS) + scan))
+        info = self.bounded(self.path("a.mcap", b"".join(parts)))
         self.assertEqual([stream["scans"] for stream in info["streams"]], [1] * 4096)
         self.assertIn("has more than 4096 topics of scans", info["warnings"][0])
         network = foreign.Network()
