@@ -21,9 +21,9 @@
 #include <span>
 #include <vector>
 
-#include "sim/sensor/equal_parts.h"
 #include "sim/sensor/scan.h"
 #include "sim/sensor/scanner.h"
+#include "sim/sensor/sensor_motion.h"
 #include "sim/sensor/sensor_spec.h"
 #include "sim/time.h"
 #include "sim/world/mover.h"

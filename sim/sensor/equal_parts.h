@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A sweep in parts with equally many beams, and the sensor's motion during it. Each part is cast
-// as if all its beams were fired at once, when its middle one is. This is for sensors whose beams
-// share a few poses, and for those whose beams lie in no plane, so that it is not known which of
-// them can meet what moves. Casts nothing itself. Pure.
+// A sweep in parts with equally many beams. Each part is cast as if all its beams were fired at
+// once, when its middle one is. This is for sensors whose beams share a few poses, and for those
+// whose beams lie in no plane, so that it is not known which of them can meet what moves. Casts
+// nothing itself. Pure.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +15,8 @@
 #include "sim/sensor/scanner.h"
 #include "sim/time.h"
 #include "sim/world/mover.h"
-#include "sim/world/pose.h"
 
 namespace scipd::sim {
-
-struct SensorMotion {
-    Pose middle;              ///< of the sensor in the world, halfway through the sweep
-    double moved_m = 0.0;     ///< it is nowhere farther from there
-    double turned_rad = 0.0;  ///< nor turned farther
-};
-
-/// `world_from_sensor`: one pose, or one for each beam; not empty.
-[[nodiscard]] SensorMotion motion_of(std::span<const Pose> world_from_sensor);
 
 /// The beams of part `i` of `count`, which is at most `beams`.
 [[nodiscard]] Beams equal_part(std::size_t beams, std::size_t i, std::size_t count);

@@ -20,6 +20,8 @@
 namespace scipd::sim {
 namespace {
 
+using tinyxml2::XMLElement;
+
 /// Called with a joint and what is wrong with it.
 using Wrong = std::function<void(const tinyxml2::XMLElement& element, const std::string& what)>;
 

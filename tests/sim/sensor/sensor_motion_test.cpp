@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+#include "sim/sensor/sensor_motion.h"
+
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include "sim/sensor/equal_parts.h"
 
 namespace scipd::sim {
 namespace {
