@@ -260,7 +260,7 @@ class Bags(OfFiles):
         whole = self.laser_db3("a.db3", [NS + 10**8 * number for number in range(2000)]).read_bytes()
         info = self.info(self.path("cut.db3", whole[:len(whole) // 2]))
         self.assertTrue(500 < info["scans"] < 1500, info["scans"])
-        self.in_order(info, info["scans"], 0.1)
+        self.assertAlmostEqual(info["seconds"], 0.1 * info["scans"], delta=5)  # a page was cut through
         self.assertIn(f"lacks {len(whole) - len(whole) // 2} bytes at its end", " ".join(info["warnings"]))
 
     def test_a_view_in_place_of_the_messages(self):
@@ -440,7 +440,7 @@ class Hostile(OfFiles):
     def test_many_streams(self):
         """Topics of an MCAP file, and connections of a capture, of which nobody speaks SCIP."""
         parts = [b"\x89MCAP0\r\n", foreign.mcap_record(1, bytes(8)), foreign.mcap_record(
-            3, struct.pack("<H", 1) + foreign.mcap_text("sensor_msgs/msg/LaserScan") + foreign.mcap_text("") + bytes(4))]
+            3, struct.pack("<H", 1) + foreign.mcap_text("sensor_msgs/msg/LaserScan") + bytes(8))]
         scan = foreign.cdr_scan(NS, [1])
         for number in range(1, 20_001):
             parts.append(foreign.mcap_record(4, struct.pack("<HH", number, 1) + foreign.mcap_text(f"/{number}") +
