@@ -149,7 +149,7 @@ class Db3 final : public LaserRecording {
                                        "NOT INDEXED WHERE timestamp >= ?");
         if (missing > 0)
             warn(file_.name() + ": lacks " + std::to_string(missing) +
-                 " bytes at its end; messages are read in the order of the file, those that are there");
+                 " bytes at its end; the messages that are there are read");
         messages_->bind(std::numeric_limits<std::int64_t>::min());
         data_ = ask("SELECT data FROM messages WHERE rowid = ?");
         return {};
