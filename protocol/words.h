@@ -34,7 +34,7 @@ namespace scipd::protocol {
 /// Describes the reply with this echo and status: "returns the version", "not carried out".
 [[nodiscard]] std::string_view scip1_reply_words(const Scip1Request& echo, char status);
 
-/// What the status means. Empty: it means nothing that is known.
+/// The meaning of the status; empty if it has none that is known.
 [[nodiscard]] std::string_view scip1_status_words(char status);
 
 }  // namespace scipd::protocol

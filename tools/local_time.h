@@ -9,7 +9,7 @@
 
 namespace scipd::tools {
 
-/// As in 2026-01-31 12:00:00, where the user is, or in another format of strftime().
+/// Text such as 2026-01-31 12:00:00, in the user's time zone, or in another format of strftime().
 [[nodiscard]] inline std::string local_time(
     std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds> time,
     const char* format = "%F %T") {

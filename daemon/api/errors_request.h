@@ -24,7 +24,7 @@ namespace scipd::daemon {
 /// Faults name the member.
 sim::Expected<AddedSensor> parse_new_sensor(const std::string& body);
 
-/// Whether it names a file of this machine, which nobody may do over the API; the fault says so.
+/// Refuses a sensor that names a file of this machine, which nobody may do over the API.
 sim::Expected<> check_files(const AddedSensor& sensor);
 
 }  // namespace scipd::daemon

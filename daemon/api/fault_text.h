@@ -44,7 +44,7 @@ class FaultNews {
     /// Makes a message of what has come since the last one, if anything has.
     bool look();
 
-    /// As those of a backlog.
+    /// Messages as of Backlog::from().
     [[nodiscard]] const Backlog::Message* from(Backlog::Number& number) const {
         return messages_.from(number);
     }

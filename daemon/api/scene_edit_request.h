@@ -29,7 +29,7 @@ sim::Expected<SetMaterial> parse_set_material(const std::string& model, const st
 /// words of the configuration.
 sim::Expected<std::vector<sim::Medium>> parse_media(const std::string& body);
 
-/// What parse_media() reads.
+/// The document that parse_media() reads.
 Json media_document(const std::vector<sim::Medium>& media);
 
 }  // namespace scipd::daemon

@@ -116,7 +116,7 @@ using sim::Expected;
 using sim::quote;
 using sim::refuse;
 
-/// What a topic of VDA 5050 may hold.
+/// Characters that a topic of VDA 5050 may hold.
 Expected<std::string> parse_vehicle(std::string_view text) {
     const auto slash = text.find('/');
     const std::string_view maker = text.substr(0, slash);
@@ -128,7 +128,7 @@ Expected<std::string> parse_vehicle(std::string_view text) {
         quote(text));
 }
 
-/// What a name of a topic may be, by the design of ROS ("Topic and Service Names").
+/// A name of a topic, by the design of ROS ("Topic and Service Names").
 Expected<std::string> parse_ros_topic(std::string_view text) {
     constexpr std::string_view legal =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/";

@@ -21,7 +21,7 @@ namespace scipd::daemon {
 sim::Expected<PoseSource> parse_pose_source(std::string_view text,
                                             const std::filesystem::path& base);
 
-/// As a user names it.
+/// The source as a user names it.
 std::string text_of(const PoseSource& source);
 
 /// What xyz and rpy of this section say; each is zeros where it is left out. Angles that look like

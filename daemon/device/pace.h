@@ -49,7 +49,7 @@ class ScanLosses {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// So many scans of this sensor are lost. A sentence for people: at once, then every ten
+    /// Counts lost scans of a sensor. Returns a sentence for people: at once, then every ten
     /// seconds at most, with all that was lost since the one before.
     std::optional<std::string> add(const std::string& sensor, std::uint64_t lost, Time now);
 

@@ -24,7 +24,7 @@
 
 namespace scipd::daemon {
 
-/// How a fault shifts the poses that a sensor is cast from against those of its robot.
+/// Shift by a fault of the poses that a sensor is cast from, against those of its robot.
 struct PoseShift {
     std::optional<sim::Pose> stopped;  ///< the robot stays at this pose
     sim::Time late{};                  ///< the robot is where it was so long ago

@@ -30,7 +30,7 @@ struct KeptMessages {
     [[nodiscard]] const DaemonNote* serving_other_than(const std::string& instance) const;
 };
 
-/// What to type so that the broker keeps nothing under this topic.
+/// The command that has the broker keep nothing under this topic.
 std::string command_to_clear(const FleetConfig& config, const std::string& topic);
 
 class Troubles {

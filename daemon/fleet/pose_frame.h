@@ -35,10 +35,10 @@ struct Step {
 
 /// The first line, with its end.
 std::string step_head(int number, sim::Time time, std::string_view from);
-/// Nothing where the first line is another one. What this returns lives as long as the text.
+/// Returns nullopt if the first line is another one. The step lives as long as the text.
 std::optional<Step> parse_step(std::string_view text);
 
-/// What a daemon says that has done a step.
+/// The message of a daemon that has done a step.
 std::string acknowledgement(const Step& step);
 /// The number of the step, if it is one of that leader.
 std::optional<int> acknowledged(std::string_view text, std::string_view leader);

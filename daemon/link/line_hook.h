@@ -43,11 +43,11 @@ class WireEar {
 /// The present state of a line.
 struct LineState {
     LinkConfig link;
-    /// What is sent waits at the device's end, and leaves when this is over.
+    /// Bytes that are sent wait at the device's end, and leave when this is over.
     bool stalled = false;
-    /// What is sent either way is lost; the connection stays.
+    /// Bytes that are sent either way are lost; the connection stays.
     bool dead = false;
-    /// Nobody gets in: a TCP port refuses who connects, and there is no tty under its name. Who is
+    /// A TCP port refuses new clients, and there is no tty under its name. A client that is
     /// connected stays.
     bool refuses = false;
     /// A tty hangs up, and there is none under its name; nothing to a TCP port.

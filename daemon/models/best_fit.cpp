@@ -98,7 +98,7 @@ std::string angle_text(const sim::Lidar& lidar) {
     return span(lidar.min_angle_rad * deg_per_rad, lidar.max_angle_rad * deg_per_rad, "deg");
 }
 
-/// Whether the product has beams in all directions of the lidar. Those are modulo a turn.
+/// Returns true if the product has beams in all directions of the lidar, modulo a turn.
 bool has_directions(const sim::Lidar& has, const sim::Lidar& lidar) {
     constexpr double turn_rad = 2.0 * std::numbers::pi;
     const double slack_rad = 0.75 * std::max(step_rad(has), std::abs(step_rad(lidar)));
@@ -109,7 +109,7 @@ bool has_directions(const sim::Lidar& has, const sim::Lidar& lidar) {
            middle_rad + half_rad < has.max_angle_rad + slack_rad;
 }
 
-/// Whether a step of the lidar is one or several of the product.
+/// Returns true if a step of the lidar is one or several of the product.
 bool has_steps(const sim::Lidar& has, const sim::Lidar& lidar) {
     constexpr double same_ratio = 0.02;
     const double ratio = std::abs(step_rad(lidar)) / step_rad(has);

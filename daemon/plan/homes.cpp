@@ -117,7 +117,7 @@ Homes find_homes(const Config& config, const Homes& now, const KnownSensors& kno
     return next;
 }
 
-// Where the system chooses the port, two scanners with the same address have ports of their own.
+// If the system chooses the port, two scanners with the same address have ports of their own.
 PortKeys port_keys(const std::string& robot, const SensorConfig& sensor) {
     PortKeys keys;
     if (sensor.tcp) {

@@ -12,6 +12,8 @@
 
 namespace scipd::daemon {
 
+struct Config;
+struct KnownSensor;
 struct SensorConfig;
 
 /// The keys of one sensor; empty where it has no port of the kind.
@@ -23,9 +25,6 @@ struct PortKeys {
 
 /// The link of the sensor's tty, which it has.
 [[nodiscard]] std::filesystem::path link_of(const std::string& robot, const SensorConfig& sensor);
-
-struct Config;
-struct KnownSensor;
 
 /// Numbers of shards.
 struct Homes {

@@ -131,18 +131,19 @@ class Loader {
     explicit Loader(const std::stop_token& stop) : stop_(stop) {}
 
     void add(const std::string& name, SensorConfig& sensor, ClockKind clock) {
-        guard({.name = name, .sensor = &sensor}, [&](Player player) {
+        guard(name, sensor, [&] {
             const ReplayConfig& replay = *sensor.replay;
             if (replay.begins_s && clock != ClockKind::poses)
                 throw sim::LoadError({"begins_s is a stamp of poses, and needs clock: poses"});
             RecordedScanner scanner = recorded_scanner(replay);
-            player.first = scanner.first;
-            player.logged = scanner.logged;
             if (replay.finds_model) {
                 take_identity(scanner.identity, scanner.model);
                 sensor.model = std::move(scanner.model);
             }
-            logs_[replay.files].push_back(std::move(player));
+            logs_[replay.files].push_back({.name = name,
+                                           .sensor = &sensor,
+                                           .first = scanner.first,
+                                           .logged = scanner.logged});
         });
     }
 
@@ -156,14 +157,14 @@ class Loader {
 
   private:
     template <class Step>
-    void guard(Player player, const Step& step) {
+    void guard(const std::string& name, const SensorConfig& sensor, const Step& step) {
         try {
-            step(player);
+            step();
         } catch (const sim::LoadError& error) {
             const bool is_several = dynamic_cast<const SeveralScanners*>(&error) != nullptr;
-            if (is_several && player.sensor->replay->serves_all) throw;
+            if (is_several && sensor.replay->serves_all) throw;
             std::ranges::transform(error.faults(), std::back_inserter(errors_),
-                                   [&](const auto& why) { return player.name + ": " + why; });
+                                   [&](const auto& why) { return name + ": " + why; });
         }
     }
 
@@ -172,7 +173,7 @@ class Loader {
         align(log);
         std::optional<sim::Time> recorded;
         for (Player& player : log) {
-            guard(player, [&](const Player&) {
+            guard(player.name, *player.sensor, [&] {
                 const sim::Time lead = player.track.lead;
                 player.tape = read(player, lead);
                 if (const auto first = player.tape->recorded())

@@ -109,7 +109,7 @@ class Replay {
   private:
     // Time of the log goes on from round to round, and scans are counted through all rounds.
 
-    /// Nullopt: it has not begun.
+    /// Returns nullopt if it has not begun.
     [[nodiscard]] std::optional<sim::Time> log_time(const ReplayTurn& turn) const;
     /// The first scan that begins there or later.
     [[nodiscard]] std::int64_t next_scan(sim::Time log_time) const;

@@ -33,7 +33,7 @@ void tell_log_of(const std::vector<std::string>& sensors);
 /// logged from here on. Called again after false, it waits again.
 bool finish_logging();
 
-/// What is logged. A view that is good for one call.
+/// One entry of the log. A view that is good for one call.
 struct LogEntry {
     std::chrono::system_clock::time_point time;
     std::string_view level;
@@ -50,7 +50,7 @@ using Sensors = std::set<std::string, std::less<>>;
 /// the message there. Messages that are about none have none.
 [[nodiscard]] std::string json_log_line(const LogEntry& entry, const Sensors& sensors);
 
-/// Whether what is written to this descriptor goes to the journal.
+/// Returns true if bytes that are written to this descriptor go to the journal.
 [[nodiscard]] bool leads_to_journal(int descriptor);
 
 /// Severities as syslog(3) has them.

@@ -17,6 +17,10 @@
 
 namespace scipd::daemon {
 
+class Device;
+class Port;
+class WireEar;
+
 /// A request or a reply on the wire, with its meaning.
 struct WireEntry {
     std::string client;  ///< "tcp" or "tty"
@@ -31,10 +35,6 @@ struct WireEntry {
 };
 
 using TakeEntry = std::function<void(WireEntry)>;
-
-class Device;
-class Port;
-class WireEar;
 
 class WireTap {
   public:
@@ -57,7 +57,7 @@ class WireTap {
     std::vector<std::unique_ptr<WireEar>> ears_;  ///< one at each port; empty: nobody listens
 };
 
-/// Null where the log does not tell that much. `scanner` is what the log calls it.
+/// Returns null if the log does not tell that much. `scanner` is its name in the log.
 [[nodiscard]] TakeEntry wire_log(const std::string& scanner);
 
 /// "tcp hears BM: switches the laser on", "tcp answers BM with 02: the laser is on already"

@@ -65,8 +65,8 @@ float signal_of(const Receiver& receiver, float range_m, float power) {
 
 double steady_error_m(const SensorSpec& spec, double range_m, double bias_m, const Light& light) {
     const Receiver& receiver = spec.receiver;
-    // What is brighter than white drives no comparator sooner: beacons of film read as walls do
-    // (SkoltechRobotics/Eurobot2018).
+    // Light that is brighter than white drives no comparator sooner: beacons of film read as walls
+    // do (SkoltechRobotics/Eurobot2018).
     const double walk_m =
         receiver.walk_m == 0.0 ? 0.0 : -receiver.walk_m * std::log10(std::min(light.power, 1.0));
     const double most_m = std::max(spec.accuracy_m(range_m), std::abs(bias_m));

@@ -30,13 +30,13 @@ struct Light {
     double signal;  ///< signal_of() it
 };
 
-/// What a unit reads too far of such light, whatever chance does: its bias at this range and its
+/// The error of a unit for such light, without its random part: its bias at this range and its
 /// walk, which together stay within the data sheet's accuracy unless the bias alone does not, and
 /// what too strong a signal adds.
 [[nodiscard]] double steady_error_m(const SensorSpec& spec, double range_m, double bias_m,
                                     const Light& light);
 
-/// What the sensor that read this reads too far there, whatever chance does and however warm it is.
+/// The same for the sensor that read this, without its drift while it warms up.
 [[nodiscard]] double steady_error_m(const SensorSpec& spec, const Reading& reading);
 
 /// The weakest signal that the receiver notices half the time; 0: it notices all.

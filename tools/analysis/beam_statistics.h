@@ -66,8 +66,8 @@ struct SharedNoise {
     [[nodiscard]] double correlation() const;
 };
 
-/// What pairs of beams share that are `apart` steps from each other. Both must be steady and look
-/// at no edge. `beams` are the means about which they deviate.
+/// Shared noise of pairs of beams, `apart` steps from each other. Both must be steady and look at
+/// no edge. `beams` are the means about which they deviate.
 [[nodiscard]] SharedNoise shared_noise(const ScanTable& series,
                                        std::span<const BeamStatistics> beams,
                                        const std::vector<bool>& beside_edges, ScanSpan scans,

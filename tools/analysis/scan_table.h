@@ -75,7 +75,7 @@ struct ScanTable {
     /// Adds a scan that looks_alike(), even if it came twice.
     void append(const sim::RecordedScan& scan, bool stamped = false);
     [[nodiscard]] bool looks_alike(const sim::RecordedScan& scan) const;
-    /// What follows is another recording.
+    /// Scans that follow are of another recording.
     void end_recording();
     /// Makes codes of distances outside of these limits.
     void limit(double nearest_mm, double farthest_mm);
@@ -132,7 +132,7 @@ struct ScanTable {
     void resize(std::size_t scans);
 };
 
-/// Which scans of a recording are read.
+/// The scans of a recording that are read.
 struct ScanChoice {
     std::string stream = {};  ///< empty: the first that has scans
     std::size_t most = 0;     ///< 0: all
@@ -141,7 +141,7 @@ struct ScanChoice {
     std::string progress = {};        ///< before the number of scans, on a terminal
 };
 
-/// Whether the target is a file, a folder or several of them; a scanner is none.
+/// Returns true for a file, a folder or several of them; false for a scanner.
 [[nodiscard]] bool is_recording(const std::string& target);
 /// The target of a user: a file, the folder of a bag, or several of them, as "a.mcap+b.mcap". All
 /// items are scans. Throws WrongInput if it cannot be read.

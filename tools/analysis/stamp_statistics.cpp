@@ -133,7 +133,7 @@ double middle_s(const ClockAnswer& answer) {
     return (answer.asked_s + answer.answered_s) / 2;
 }
 
-/// Whoever waited longer than usual knows less.
+/// An answer that took longer than usual tells less.
 std::vector<ClockAnswer> without_late_ones(std::span<const ClockAnswer> answers) {
     std::vector<double> times_s;
     for (const ClockAnswer& answer : answers)

@@ -39,7 +39,7 @@ struct ClockAnswer {
     double answered_s = 0;
 };
 
-/// What the clock said at one moment of ours, in the mean of the answers.
+/// Time of the scanner's clock at one instant of the host's, the mean of the answers.
 struct ClockReading {
     double device_s = 0;
     double host_s = 0;

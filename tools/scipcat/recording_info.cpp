@@ -31,8 +31,7 @@ using std::chrono::duration;
 
 constexpr std::size_t most_gaps_shown = 5;
 
-/// Where scans are missing: the time between two scans is more than one and a half times what it
-/// mostly is.
+/// Missing scans: the time between two scans is more than one and a half times what it mostly is.
 struct RecordingGap {
     std::size_t after_scan = 0;  ///< counts from 1
     double seconds = 0;          ///< between that scan and the next
@@ -63,7 +62,7 @@ struct RecordingSummary {
     std::vector<std::string> warnings;
 };
 
-/// By the scanner's clock; nothing where it is not known or went back, as it does at a new start.
+/// Time by the scanner's clock; nullopt if it is not known or went back, as at a new start.
 std::optional<double> stamped_seconds_between(const RecordedScan& before,
                                               const RecordedScan& scan) {
     constexpr std::uint32_t stamps = 1U << 24;  // a stamp of 24 bits wraps after 4.66 hours
@@ -133,7 +132,7 @@ class StreamReader {
         }
     }
 
-    /// As scipd --replay without a model finds it.
+    /// Finds the model as scipd --replay without one does.
     void find_model() {
         const ScannerIdentity& identity = summary_.stream.identity;
         const daemon::Model* const named = daemon::model_named_in(identity.model);

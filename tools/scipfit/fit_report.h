@@ -18,7 +18,7 @@ namespace scipd::tools {
 
 /// For people: what is known, with intervals of 95 %, and what is not.
 void show(const Fit& fit, std::ostream& out);
-/// What is not known is null, and named in "unknown".
+/// Figures that are not known are null, and named in "unknown".
 [[nodiscard]] nlohmann::ordered_json as_json(const Fit& fit);
 /// One page that needs nothing else, light or dark as its reader has it.
 [[nodiscard]] std::string as_html(const Standing& standing, const Fit& fit,

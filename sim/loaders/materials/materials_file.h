@@ -28,7 +28,7 @@ std::vector<MaterialOptics> parse_materials(const std::string& text,
 std::vector<std::string> unknown_materials(const Scene& scene, const MaterialLibrary& library,
                                            const std::string& source);
 
-/// Whether any of those names is not that of a material script of Gazebo's.
+/// Returns true if any of those names is not that of a material script of Gazebo's.
 bool names_unknown(const Scene& scene, const MaterialLibrary& library);
 
 }  // namespace scipd::sim

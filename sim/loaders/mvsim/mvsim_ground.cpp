@@ -146,7 +146,7 @@ struct Rectangle {
     [[nodiscard]] bool empty() const { return !(low.x < high.x && low.y < high.y); }
 };
 
-/// What a hole leaves: left, right, below, above.
+/// The rest around a hole: left, right, below, above.
 std::array<Rectangle, 4> cut(const Rectangle& piece, const Rectangle& hole) {
     const double from = std::clamp(hole.low.x, piece.low.x, piece.high.x);
     const double to = std::clamp(hole.high.x, piece.low.x, piece.high.x);
@@ -197,7 +197,7 @@ std::vector<double> transformation(const MvsimNode& walls) {
     return numbers_in(*text, 16, "transformation");
 }
 
-/// Whether one of the first `count` points is so near.
+/// Returns true if one of the first `count` points is so near.
 bool any_near(const std::vector<glm::dvec2>& points, std::size_t count, const glm::dvec2& here,
               double distance_m) {
     return std::any_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count),

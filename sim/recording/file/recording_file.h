@@ -73,10 +73,10 @@ class GrowingFile {
 
     /// Throws std::runtime_error where the disk is full.
     void write(std::string_view bytes);
-    /// What was written so far stays, even if the process is killed. Throws as write().
+    /// Has all that was written stay, even if the process is killed. Throws as write().
     void flush();
 
-    /// How much has been written.
+    /// Count of bytes that were written.
     [[nodiscard]] std::uint64_t size() const { return size_; }
 
   private:

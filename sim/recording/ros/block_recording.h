@@ -69,7 +69,7 @@ class BlockRecording : public LaserRecording {
     /// Takes the record of the file that begins at this byte, and returns where it ends; nullopt
     /// where none begins, or the file ends within it.
     virtual std::optional<std::uint64_t> take_record(std::uint64_t byte) = 0;
-    /// By the index.
+    /// The beginning of the next chunk behind this byte, by the index.
     [[nodiscard]] virtual std::optional<std::uint64_t> chunk_behind(std::uint64_t byte) = 0;
     /// The records in the bytes of a block, unpacked.
     [[nodiscard]] virtual Expected<std::string> records_of(std::string block) = 0;

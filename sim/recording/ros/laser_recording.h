@@ -24,7 +24,7 @@ enum class RosEncoding { ros1, cdr };
 
 enum class LaserType { laser_scan, multi_echo_laser_scan };
 
-/// By the name of ROS 1 or 2; nothing for types that are no scans.
+/// The type with this name of ROS 1 or 2; nullopt for types that are no scans.
 [[nodiscard]] std::optional<LaserType> laser_type(std::string_view type_name);
 
 struct LaserMessage {
